@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storage/configfile.h"
+
+#include "protocol/storage/jsonplaces.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSaveFile>
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace trex {
+namespace {
+
+/// Any value as JSON on one line.
+QString jsonText(const QJsonValue& value)
+{
+    const auto list = QJsonDocument(QJsonArray{value}).toJson(QJsonDocument::Compact);
+    return QString::fromUtf8(list.mid(1, list.size() - 2));
+}
+
+/// The members of one object in the order of the format, which QJsonObject does not keep.
+class Members {
+public:
+    Members(const Configuration& configuration, QString path)
+        : m_path(std::move(path)), m_unknown(configuration.unknown)
+    {
+    }
+
+    void add(const QString& key, const QString& json)
+    {
+        m_members << u"%1: %2"_s.arg(jsonText(key), json);
+    }
+    [[nodiscard]] QString onOneLine() const
+    {
+        const auto members = all();
+        return members.isEmpty() ? u"{}"_s : u"{ "_s + members.join(u", "_s) + u" }"_s;
+    }
+    [[nodiscard]] QString onLines(int depth) const
+    {
+        const auto members = all();
+        const QString indent(4 * depth, u' ');
+        const QString separator = u",\n"_s + indent + u"    "_s;
+        return members.isEmpty()
+            ? u"{}"_s
+            : u"{\n"_s + indent + u"    "_s + members.join(separator) + u'\n' + indent + u'}';
+    }
+
+private:
+    [[nodiscard]] QStringList all() const
+    {
+        QStringList members = m_members;
+        if (const auto found = m_unknown.find(m_path); found != m_unknown.end()) {
+            for (auto it = found->second.begin(); it != found->second.end(); ++it) {
+                members << u"%1: %2"_s.arg(jsonText(it.key()), jsonText(it.value()));
+            }
+        }
+        return members;
+    }
+    QString m_path;
+    const std::map<QString, QJsonObject>& m_unknown;
+    QStringList m_members;
+};
+
+/// "500", "2.4": as many decimals as the unit has, without zeros that say nothing.
+QString physicalText(const ParameterRow& row, int raw)
+{
+    QString text = QString::number(physicalFromRaw(row, raw), 'f', row.decimals);
+    while (text.contains(u'.') && (text.endsWith(u'0') || text.endsWith(u'.'))) {
+        text.chop(1);
+    }
+    return text;
+}
+
+QString parametersJson(const Configuration& configuration)
+{
+    Members parameters(configuration, u"parameters"_s);
+    for (const auto& [number, raw] : configuration.parameters) {
+        const auto* const row = findParameter(number);
+        if (row == nullptr || row->isTrigger) {
+            continue;
+        }
+        Members members(configuration, u"parameters."_s + keyText(*row));
+        members.add(u"raw"_s, QString::number(raw));
+        members.add(u"physical"_s, physicalText(*row, raw));
+        members.add(u"unit"_s, jsonText(QString::fromLatin1(row->unit)));
+        parameters.add(keyText(*row), members.onOneLine());
+    }
+    return parameters.onLines(1);
+}
+
+QString calibrationJson(const Configuration& configuration, const Calibration& calibration,
+                        const QString& path)
+{
+    Members members(configuration, path);
+    members.add(u"minimum"_s, QString::number(calibration.minimum));
+    members.add(u"neutral"_s, QString::number(calibration.neutral));
+    members.add(u"maximum"_s, QString::number(calibration.maximum));
+    members.add(u"deadband"_s, QString::number(calibration.deadband));
+    return members.onOneLine();
+}
+
+QString calibrationsJson(const Configuration& configuration)
+{
+    Members sets(configuration, u"calibration"_s);
+    for (const auto& [input, channels] : configuration.calibrations) {
+        const QString path = u"calibration."_s + keyOf(input);
+        Members members(configuration, path);
+        for (const auto& [channel, calibration] : channels) {
+            members.add(
+                QString::number(channel),
+                calibrationJson(configuration, calibration, u"%1.%2"_s.arg(path).arg(channel)));
+        }
+        sets.add(keyOf(input), members.onLines(2));
+    }
+    return sets.onLines(1);
+}
+
+} // namespace
+
+QByteArray writeConfiguration(const Configuration& configuration)
+{
+    Members root(configuration, {});
+    root.add(u"format"_s, jsonText(u"trexpanel-configuration"_s));
+    root.add(u"version"_s, QString::number(configuration.version));
+    if (configuration.saved.isValid()) {
+        root.add(u"saved"_s, jsonText(configuration.saved.toUTC().toString(Qt::ISODate)));
+    }
+    Members device(configuration, u"device"_s);
+    if (!configuration.signature.isEmpty()) {
+        device.add(u"signature"_s, jsonText(configuration.signature));
+    }
+    if (configuration.deviceNumber) {
+        device.add(u"number"_s, QString::number(*configuration.deviceNumber));
+    }
+    root.add(u"device"_s, device.onOneLine());
+    root.add(u"parameters"_s, parametersJson(configuration));
+    root.add(u"calibration"_s, calibrationsJson(configuration));
+    return root.onLines(0).toUtf8() + '\n';
+}
+
+Result<Configuration> loadConfiguration(const QString& path)
+{
+    // A pipe or a device could keep us waiting for ever: only what has a size is opened.
+    const QFileInfo info(path);
+    if (info.exists() && !info.isFile()) {
+        return fail(ErrorCode::FileUnreadable,
+                    QCoreApplication::translate("ConfigFile", "%1 (no ordinary file)").arg(path));
+    }
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return fail(ErrorCode::FileUnreadable, u"%1 (%2)"_s.arg(path, file.errorString()));
+    }
+    const QByteArray json = file.read(kLargestConfigurationBytes + 1);
+    if (file.error() != QFileDevice::NoError) {
+        return fail(ErrorCode::FileUnreadable, u"%1 (%2)"_s.arg(path, file.errorString()));
+    }
+    return parseConfiguration(json, path);
+}
+
+Result<void> saveConfiguration(const Configuration& configuration, const QString& path)
+{
+    const QByteArray json = writeConfiguration(configuration);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
+        return fail(ErrorCode::FileUnwritable, u"%1 (%2)"_s.arg(path, file.errorString()));
+    }
+    return {};
+}
+
+QString remarkOn(const Configuration& configuration)
+{
+    if (configuration.version <= Configuration::kVersion) {
+        return {};
+    }
+    QStringList keys;
+    for (const auto& [path, object] : configuration.unknown) {
+        for (const auto& key : object.keys()) {
+            keys << tameText(path.isEmpty() ? key : path + u'.' + key);
+        }
+    }
+    if (keys.isEmpty()) {
+        return QCoreApplication::translate("ConfigFile",
+                                           "The file was written by a newer program (version %1).")
+            .arg(configuration.version);
+    }
+    return QCoreApplication::translate("ConfigFile",
+                                       "The file was written by a newer program (version %1); not "
+                                       "understood and left out: %2.")
+        .arg(QString::number(configuration.version), keys.join(u", "_s));
+}
+
+QString keyText(const ParameterRow& row)
+{
+    return QString::fromLatin1(row.key.data(), static_cast<qsizetype>(row.key.size()));
+}
+
+QLatin1StringView keyOf(InputKind input)
+{
+    return input == InputKind::Rc ? "rc"_L1 : "analog"_L1;
+}
+
+} // namespace trex

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/result.h"
+#include "protocol/storage/jsonplaces.h"
+
+#include <QJsonObject>
+
+namespace trex {
+
+/// Takes values out of a parsed JSON file; each error is FileMalformed and says file, line, key and
+/// reason. Pure.
+class JsonReader {
+public:
+    /// An object of the file and where it stands.
+    struct Node {
+        QJsonObject object;
+        QString path;
+        [[nodiscard]] QString at(const QString& key) const;
+    };
+
+    /// `json` must be well formed.
+    JsonReader(const QByteArray& json, QString fileName);
+
+    [[nodiscard]] const JsonPlaces& places() const { return m_places; }
+    [[nodiscard]] const QString& fileName() const { return m_fileName; }
+    [[nodiscard]] tl::unexpected<Error> wrong(const QString& path, const QString& reason) const;
+    [[nodiscard]] tl::unexpected<Error> wrongType(const QString& path, const QString& wanted,
+                                                  const QJsonValue& found) const;
+    [[nodiscard]] Result<Node> child(const Node& parent, const QString& key) const;
+    [[nodiscard]] Result<int> integer(const Node& node, const QString& key, int minimum,
+                                      int maximum) const;
+
+private:
+    JsonPlaces m_places;
+    QString m_fileName;
+};
+
+} // namespace trex

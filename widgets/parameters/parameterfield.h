@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/codec/parametertable.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+
+namespace trex {
+
+/// The editor of one parameter, in the form that fits its meaning. What a person does and what is
+/// written to `raw` take the same path: edited(), and whoever listens decides and shows the result
+/// with showRaw(). GUI thread.
+class ParameterField : public QWidget {
+    Q_OBJECT
+    Q_DISABLE_COPY_MOVE(ParameterField)
+    Q_PROPERTY(int raw READ raw WRITE setRaw NOTIFY rawChanged)
+
+public:
+    static ParameterField* make(const ParameterRow& row, QWidget* parent);
+
+    [[nodiscard]] int raw() const { return m_raw; } ///< −1: not known
+    void setRaw(int raw) { emit edited(raw); }
+    void showRaw(std::optional<int> raw); ///< without edited(); none: an en dash
+
+signals:
+    void edited(int raw);
+    void rawChanged(int raw);
+
+protected:
+    ParameterField(const ParameterRow& row, QWidget* parent);
+    [[nodiscard]] const ParameterRow& row() const { return m_row; }
+    virtual void display(std::optional<int> raw) = 0;
+    void addPart(QWidget* part, const QString& accessibleName);
+
+private:
+    const ParameterRow& m_row;
+    QLabel* m_rawText;
+    int m_raw = -1;
+};
+
+} // namespace trex

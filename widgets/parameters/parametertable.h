@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/parameters/parametermodel.h"
+
+#include <QTreeView>
+
+namespace trex {
+
+class ParameterField;
+
+/// The parameters by group, an editor always open in each row. Rows are hidden by a search, never
+/// taken away, so that every editor can be found at any time. GUI thread.
+class ParameterTable : public QTreeView {
+    Q_OBJECT
+    Q_DISABLE_COPY_MOVE(ParameterTable)
+
+public:
+    explicit ParameterTable(ParameterModel& model, QWidget* parent = nullptr);
+
+    /// Shows the rows whose name, key, number, help or group holds every word of `text`.
+    void search(const QString& text);
+    [[nodiscard]] int shownRows() const; ///< parameters that the search leaves
+    /// Rows that were read can be edited when `reason` is empty; else it is every editor's tool
+    /// tip.
+    void setEditable(const QString& reason);
+    [[nodiscard]] const ParameterRow* currentRow() const; ///< null: none
+    void usePalette(); ///< of the theme in force
+
+signals:
+    void rowChosen(); ///< currentRow() changed
+    /// A value that the model does not take, with the sentence for the person.
+    void editRejected(int number, const QString& sentence);
+
+protected:
+    void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void addFields();
+    void setWidths();
+    void onShownChanged(int number);
+    void onFocusChanged(QWidget* now);
+
+    ParameterModel& m_model;
+    std::map<std::uint8_t, ParameterField*> m_fields;
+    QString m_reason;
+};
+
+} // namespace trex
