@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The learner's figures and verdicts as words for people; the only place that makes them.
+#pragma once
+
+#include "protocol/procedures/calibrationverdict.h"
+
+#include <QString>
+
+namespace trex {
+
+/// A reading with its unit: "1.455 ms", "2.41 V".
+[[nodiscard]] QString readingText(double raw, InputKind input);
+/// A difference of readings: "210 µs", "0.61 V".
+[[nodiscard]] QString spanText(double raw, InputKind input);
+
+[[nodiscard]] QString verdictText(Verdict verdict); ///< "good", "usable", "do again"
+/// One sentence: what was found and, where something can be done, what to do.
+[[nodiscard]] QString findingText(Finding finding, const LearnedChannel& learned, InputKind input);
+/// The first finding as a sentence; "good" has one of its own.
+[[nodiscard]] QString reasonText(const LearnedChannel& learned, InputKind input);
+/// Samples, noise, travel, symmetry, missed pulses, deadband and margins, one a line.
+[[nodiscard]] QString figuresText(const LearnedChannel& learned, InputKind input);
+/// "1, 2 and 5" of a mask (bit n is channel n + 1).
+[[nodiscard]] QString channelListText(std::uint8_t mask);
+
+} // namespace trex

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/procedures/robuststatistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace trex {
+namespace {
+
+constexpr double kSigmaPerDeviation = 1.4826; // of the normal distribution
+constexpr double kSigmasBetweenDeciles = 2.5631;
+
+double nth(std::vector<double>& values, std::size_t index)
+{
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(index);
+    std::ranges::nth_element(values, place);
+    return *place;
+}
+
+double middle(std::vector<double>& values)
+{
+    if (values.empty()) {
+        return 0.0;
+    }
+    const std::size_t half = values.size() / 2;
+    const double upper = nth(values, half);
+    return values.size() % 2 == 1 ? upper : (upper + nth(values, half - 1)) / 2.0;
+}
+
+double deviation(const std::vector<double>& values)
+{
+    std::vector<double> work = values;
+    const double centre = middle(work);
+    for (double& value : work) {
+        value = std::abs(value - centre);
+    }
+    return kSigmaPerDeviation * middle(work);
+}
+
+} // namespace
+
+double medianOf(std::span<const int> values)
+{
+    std::vector<double> work(values.begin(), values.end());
+    return middle(work);
+}
+
+double quantileOf(std::span<const int> values, double share)
+{
+    if (values.empty()) {
+        return 0.0;
+    }
+    std::vector<double> work(values.begin(), values.end());
+    const double place = share * static_cast<double>(values.size() - 1);
+    return nth(work, static_cast<std::size_t>(std::lround(place)));
+}
+
+double robustSigma(std::span<const int> values)
+{
+    const double deciles = quantileOf(values, 0.9) - quantileOf(values, 0.1);
+    return std::max(deviation({values.begin(), values.end()}), deciles / kSigmasBetweenDeciles);
+}
+
+double differenceSigma(std::span<const int> values)
+{
+    if (values.size() < 2) {
+        return 0.0;
+    }
+    std::vector<double> differences;
+    differences.reserve(values.size() - 1);
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        differences.push_back(values[i] - values[i - 1]);
+    }
+    return deviation(differences) / std::numbers::sqrt2;
+}
+
+} // namespace trex

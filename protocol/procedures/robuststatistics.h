@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Statistics that a few spikes cannot bend. Pure; an empty span gives 0.
+#pragma once
+
+#include <span>
+
+namespace trex {
+
+[[nodiscard]] double medianOf(std::span<const int> values);
+/// The value below which `share` (0 to 1) of the values lie.
+[[nodiscard]] double quantileOf(std::span<const int> values, double share);
+/// Spread as the σ of the normal distribution that has the same middle: the larger of
+/// 1.4826 × the median absolute deviation and (90 % − 10 % quantile) / 2.563. The second keeps
+/// coarse readings, most of them equal, from looking like no noise at all.
+[[nodiscard]] double robustSigma(std::span<const int> values);
+/// σ from successive differences: slow movement hardly counts in it, noise does.
+[[nodiscard]] double differenceSigma(std::span<const int> values);
+
+} // namespace trex

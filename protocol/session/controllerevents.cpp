@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Controller's receiving half: what the link thread reports.
+#include "protocol/errortext.h"
+#include "protocol/session/controller.h"
+#include "protocol/session/linkthread.h"
+#include "protocol/telemetry/statuslatch.h"
+#include "protocol/telemetry/telemetrystore.h"
+
+namespace trex {
+
+void Controller::onBatch(const LinkBatch& batch)
+{
+    if (batch.generation != m_generation) {
+        return; // of an earlier connection
+    }
+    m_stats = batch.stats;
+    for (const PollSample& sample : batch.samples) {
+        onSample(sample);
+    }
+    if (!batch.records.empty()) {
+        emit recordsArrived(batch.records);
+    }
+    for (const LinkEvent& event : batch.events) {
+        onEvent(event);
+    }
+    for (const Outcome& outcome : batch.outcomes) {
+        onOutcome(outcome);
+    }
+    emit batchArrived();
+}
+
+void Controller::onEvent(const LinkEvent& event)
+{
+    switch (event.kind) {
+    case LinkEvent::Kind::StateChanged:
+        if (!m_isClosing) {
+            setState(event.state, event.error);
+        }
+        break;
+    case LinkEvent::Kind::Identified:
+        if (!m_isClosing) {
+            m_device.signature = event.signature;
+            emit deviceChanged();
+        }
+        break;
+    case LinkEvent::Kind::LatchReadLost:
+        emit eventLogged(1,
+                         tr("A reply with latched bits was lost on the line; bits that it carried "
+                            "may be missing from the counts."));
+        break;
+    case LinkEvent::Kind::Resynchronised:
+        break; // counted in the statistics
+    case LinkEvent::Kind::EchoFound:
+        emit eventLogged(0,
+                         tr("The line echoes what is sent (RS-232 wiring); the echo is dropped."));
+        break;
+    }
+}
+
+void Controller::onOutcome(const Outcome& outcome)
+{
+    if (outcome.reply) {
+        learnFrom(*outcome.reply);
+    }
+    if (outcome.id == m_stopId && m_stopId != 0) {
+        if (outcome.reply) {
+            const double ms =
+                std::chrono::duration<double, std::milli>(outcome.reply->sent - m_stopAsked)
+                    .count();
+            m_stopLatencyMsMax = std::max(m_stopLatencyMsMax, ms);
+            emit eventLogged(0, tr("Stop sent to all three motors (%1 ms).").arg(ms, 0, 'f', 1));
+            emit stopped();
+        } else {
+            emit eventLogged(
+                2, tr("Stop could not be sent: %1").arg(errorText(outcome.reply.error())));
+        }
+        m_stopId = 0;
+    }
+    answer(outcome.id, outcome.reply);
+}
+
+/// A reply that somebody asked for says as much as a polled one; latched bits above all, since
+/// reading has cleared them in the controller.
+void Controller::learnFrom(const Reply& reply)
+{
+    if (reply.payload.isEmpty() || reply.command.opcode == 0) {
+        return;
+    }
+    for (const PollRow& row : kPolls) {
+        if (!row.hasMask && reply.command == pollCommand(row.id)) {
+            onSample(decodePoll(row.id, reply.payload, reply.received));
+        }
+    }
+}
+
+void Controller::onSample(const PollSample& sample)
+{
+    if (m_store != nullptr) {
+        m_store->append(sample);
+    }
+    const auto byte = static_cast<std::uint8_t>(sample.raw.front());
+    const DeviceInfo before = m_device;
+    switch (sample.poll) {
+    case PollId::Status:
+    case PollId::UartErrors:
+        if (m_latch != nullptr) {
+            const bool uart = sample.poll == PollId::UartErrors;
+            m_latch->record(uart ? StatusLatch::Byte::Uart : StatusLatch::Byte::Status, byte,
+                            sample.time);
+        }
+        break;
+    case PollId::Mode: {
+        const char letter = static_cast<char>(byte);
+        m_device.mode = parseMode(QByteArrayView(&letter, 1))
+                            .map([](Mode m) { return std::optional(m); })
+                            .value_or(std::nullopt);
+        break;
+    }
+    case PollId::SerialControl:
+        m_device.serialControls = byte == 1;
+        break;
+    case PollId::Learned:
+        m_device.learnedMask = byte;
+        break;
+    case PollId::Currents:
+    case PollId::RawChannels:
+    case PollId::RemappedChannels:
+        break;
+    }
+    if (before.mode != m_device.mode || before.serialControls != m_device.serialControls
+        || before.learnedMask != m_device.learnedMask) {
+        emit deviceChanged();
+    }
+}
+
+void Controller::setState(LinkState state, const std::optional<Error>& error)
+{
+    if (state == m_state && error == m_lastError) {
+        return;
+    }
+    const LinkState before = std::exchange(m_state, state);
+    m_lastError = error;
+    if (state != LinkState::Connected) {
+        setArmed(false);
+        m_orders = {};
+        if (before == LinkState::Connected) {
+            m_device = {};
+            if (m_store != nullptr) {
+                m_store->markGap(std::chrono::steady_clock::now());
+            }
+            if (m_latch != nullptr) {
+                m_latch->linkLost();
+            }
+            m_wasSilent = error && error->code == ErrorCode::NoReply;
+            emit deviceChanged();
+            emit ordersChanged();
+        }
+    }
+    const QString sentence = stateSentence(state, error);
+    if (!sentence.isEmpty()) {
+        emit eventLogged(error ? 2 : 0, sentence);
+    }
+    emit stateChanged(state);
+    if (state == LinkState::Connected) {
+        if (std::exchange(m_wasConnected, true)) {
+            if (std::exchange(m_wasSilent, false)) {
+                emit restarted();
+            }
+            emit reconnected();
+        }
+    }
+}
+
+QString Controller::stateSentence(LinkState state, const std::optional<Error>& error) const
+{
+    switch (state) {
+    case LinkState::Disconnected:
+        return error ? tr("Not connected: %1").arg(errorText(*error)) : tr("Disconnected.");
+    case LinkState::Connecting:
+        return tr("Connecting to %1 at %2 baud.").arg(m_options.port).arg(m_options.line.baud);
+    case LinkState::Connected:
+        return m_device.signature
+            ? tr("Connected to a %1, firmware %2.")
+                  .arg(m_device.signature->modelName(), m_device.signature->firmware())
+            : tr("Connected.");
+    case LinkState::Lost:
+        return error ? tr("Link lost: %1").arg(errorText(*error)) : tr("Link lost.");
+    case LinkState::Retrying:
+        return error ? tr("Trying again: %1").arg(errorText(*error)) : QString();
+    }
+    return {};
+}
+
+} // namespace trex

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/codec/command.h"
+#include "protocol/codec/parametertable.h"
+#include "protocol/session/controller.h"
+
+#include <map>
+
+namespace trex {
+
+/// The controller's settings as last read, and reads and writes that verify themselves. Main
+/// thread. Reads are cached until the link is lost; a write is followed by its read-back and never
+/// repeated blindly.
+class DeviceSettings : public QObject {
+    Q_OBJECT
+    Q_DISABLE_COPY_MOVE(DeviceSettings)
+
+public:
+    template <class T>
+    using Handler = std::function<void(Result<T>)>;
+
+    struct ParameterWrite {
+        int from = -1; ///< −1: not known before
+        int to = 0; ///< as read back
+        bool verified = false;
+    };
+    struct CalibrationWrite {
+        Calibration readBack;
+        bool verified = false; ///< read back as asked
+        bool eightBitBytes = false; ///< the controller reads low + 256 × high (conformance C-35)
+    };
+
+    explicit DeviceSettings(Controller& controller, QObject* parent = nullptr);
+
+    [[nodiscard]] std::optional<int> parameter(std::uint8_t number) const; ///< last read, else none
+    [[nodiscard]] std::optional<Calibration> calibration(InputKind input, int channel) const;
+    /// True when a stored value waits for a power cycle: it was written since the last known one,
+    /// or the line's own settings or the mode show that another value is in force.
+    [[nodiscard]] bool isPending(std::uint8_t number) const;
+
+    void readParameter(const ParameterRow& row, QObject* context, const Handler<int>& handler);
+    /// Writes, reads back. Nothing is written when the controller already holds the value. Errors:
+    /// OutOfRange (nothing sent), a refusal, a loss, ReadBackDiffers (with both values).
+    void writeParameter(const ParameterRow& row, int raw, bool verify, QObject* context,
+                        const Handler<ParameterWrite>& handler);
+    /// Of the input set in force; the result is kept under that set when the mode is known.
+    void readCalibration(int channel, QObject* context, const Handler<Calibration>& handler);
+    void writeCalibration(int channel, const Calibration& calibration, QObject* context,
+                          const Handler<CalibrationWrite>& handler);
+    /// Everything: all readable parameters and the calibrations of the input set in force.
+    /// progress(done, total) may be empty; the handler gets the first error, with its key.
+    void readAll(QObject* context, const std::function<void(int, int)>& progress,
+                 const Handler<void>& handler);
+    /// 0x7F with data 0x7F: factory defaults, in force after a power cycle.
+    void factoryReset(QObject* context, const Handler<void>& handler);
+
+signals:
+    void parameterChanged(int number); ///< a read or a read-back brought a value
+    void calibrationChanged(trex::InputKind input, int channel);
+    void forgotten(); ///< the link was lost or changed: nothing is known any more
+
+private:
+    void forget();
+    void store(const ParameterRow& row, int raw);
+    void readNext(std::size_t index, QObject* context,
+                  const std::function<void(int, int)>& progress, const Handler<void>& handler);
+    void sendParameter(const ParameterRow& row, int raw, int from, bool verify, QObject* context,
+                       const Handler<ParameterWrite>& handler);
+    void verifyParameter(const ParameterRow& row, int raw, int from,
+                         const std::optional<Error>& lost, QObject* context,
+                         const Handler<ParameterWrite>& handler);
+    void sendCalibration(int channel, const Calibration& wanted, const Calibration& sent,
+                         QObject* context, const Handler<CalibrationWrite>& handler);
+    void verifyCalibration(int channel, const Calibration& wanted, const Calibration& sent,
+                           const std::optional<Error>& lost, QObject* context,
+                           const Handler<CalibrationWrite>& handler);
+    /// A setting that got no answer was not trusted: the UART error byte may say why.
+    void explainSilence(const Error& error, QObject* context,
+                        const std::function<void(Error)>& then);
+    [[nodiscard]] std::optional<int> evidenceInForce(std::uint8_t number) const;
+
+    Controller& m_controller;
+    std::map<std::uint8_t, int> m_parameters;
+    std::map<std::pair<InputKind, int>, Calibration> m_calibrations;
+    std::map<std::uint8_t, int> m_inForce; ///< value before the first write, until a power cycle
+};
+
+} // namespace trex

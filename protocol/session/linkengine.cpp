@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Choosing and sending. What is received: linkreception.cpp; what fails: linkfailure.cpp.
+#include "protocol/session/linkengine.h"
+
+#include "protocol/codec/packet.h"
+
+#include <algorithm>
+
+namespace trex {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kIdentifyInterval = 250ms;
+// A stop waits for a reply on its way (the controller is deaf meanwhile), but not for one that only
+// a long timeout still hopes for.
+constexpr auto kStopPatience = 100ms;
+// Late replies prolong the wait for the synchronising one, endless noise does not.
+constexpr auto kSynchroniseExtra = 500ms;
+constexpr int kLongestPacket = 16; // of the document's, with header and CRC byte
+
+std::size_t motorSlot(const Command& command)
+{
+    const std::string_view key = command.row().key;
+    if (key == "set-motor1" || key == "accelerate-motor1") {
+        return 0;
+    }
+    if (key == "set-motor2" || key == "accelerate-motor2") {
+        return 1;
+    }
+    return key == "set-motors" || key == "accelerate-motors" ? 2 : 3;
+}
+
+bool movesMotor(const Transaction& transaction)
+{
+    if (!transaction.rawBytes.isEmpty()) {
+        return true; // given by hand: assume that it may
+    }
+    if (transaction.command.row().kind != CommandKind::Motor) {
+        return false;
+    }
+    return std::any_of(transaction.command.data.begin(), transaction.command.data.end(),
+                       [](char speed) { return speed != 0; });
+}
+
+} // namespace
+
+std::vector<Command> stopCommands(bool brake)
+{
+    const MotorOrder order = brake ? MotorOrder{MotorOrder::Action::Brake, kFullSpeed}
+                                   : MotorOrder{MotorOrder::Action::Set, 0};
+    return {*driveBoth(order, order), *driveMotor(MotorId::Aux, {MotorOrder::Action::Set, 0})};
+}
+
+QLatin1StringView keyOf(LinkState state)
+{
+    static constexpr std::array<QLatin1StringView, 5> kKeys{
+        QLatin1StringView("disconnected"), QLatin1StringView("connecting"),
+        QLatin1StringView("connected"), QLatin1StringView("lost"), QLatin1StringView("retrying")};
+    return kKeys.at(static_cast<std::size_t>(state));
+}
+
+LinkEngine::LinkEngine(const LineSettings& settings, bool identify, bool reconnect)
+    : m_settings(settings), m_identify(identify), m_reconnect(reconnect)
+{
+    m_plan.setLine(settings);
+}
+
+void LinkEngine::opened(Instant now)
+{
+    m_open = true;
+    m_echo = m_settings.echo == EchoMode::Auto ? Echo::Unknown
+        : m_settings.echo == EchoMode::On      ? Echo::Yes
+                                               : Echo::No;
+    m_pendingEcho.clear();
+    m_undecided.clear();
+    m_lineFreeAt = now;
+    m_quietUntil = now;
+    m_nextIdentify = now;
+    m_identifyTries = 0;
+    m_needsSync = false;
+    m_lastValid = now;
+    m_failures = 0;
+    m_rateStart = now;
+    if (!m_identify) {
+        setState(LinkState::Connected, std::nullopt, now);
+        m_plan.restart(now);
+    } else if (!m_wasConnected && m_state != LinkState::Retrying) {
+        setState(LinkState::Connecting, std::nullopt, now);
+    } else {
+        setState(LinkState::Retrying, std::nullopt, now);
+    }
+    queueStopForLoss();
+}
+
+void LinkEngine::lineFailed(const Error& error, Instant now)
+{
+    m_open = false;
+    if (m_flight) {
+        const Flight flight = std::move(*m_flight);
+        m_flight.reset();
+        record(flight, now, error.code);
+        finish(flight.queued, tl::make_unexpected(error));
+    }
+    if (m_state == LinkState::Connected) {
+        loseLink(error, now);
+    }
+    setState(m_reconnect ? (m_wasConnected ? LinkState::Lost : LinkState::Retrying)
+                         : LinkState::Disconnected,
+             error, now);
+    for (const Queued& queued : std::exchange(m_stops, {})) {
+        finish(queued, tl::make_unexpected(error));
+    }
+}
+
+void LinkEngine::submit(const Transaction& transaction)
+{
+    if (m_shutDown || !m_open || m_state != LinkState::Connected) {
+        finish(Queued{transaction}, fail(ErrorCode::NotConnected));
+        return;
+    }
+    if (transaction.priority == Priority::Stop) {
+        m_stops.push_back({transaction});
+    } else if (transaction.priority == Priority::Motor) {
+        const std::size_t slot = motorSlot(transaction.command);
+        // Latest wins: an order for both motors also replaces what waits for each of them.
+        for (const std::size_t other :
+             {slot, slot == 2 ? std::size_t{0} : slot, slot == 2 ? std::size_t{1} : slot}) {
+            if (m_motors.at(other)) {
+                finish(Queued{*m_motors.at(other)}, fail(ErrorCode::Cancelled));
+                m_motors.at(other).reset();
+                std::erase(m_motorOrder, other);
+            }
+        }
+        m_motors.at(slot) = transaction;
+        m_motorOrder.push_back(slot);
+    } else {
+        m_users.push_back({transaction});
+    }
+}
+
+void LinkEngine::stop(const std::vector<Transaction>& packets, Instant now)
+{
+    for (const std::size_t slot : m_motorOrder) {
+        finish(Queued{*m_motors.at(slot)}, fail(ErrorCode::Cancelled));
+        m_motors.at(slot).reset();
+    }
+    m_motorOrder.clear();
+    // Raw bytes may hold a motor command: what waits behind the stop must not start it again.
+    std::deque<Queued> kept;
+    for (const Queued& queued : m_users) {
+        if (queued.transaction.rawBytes.isEmpty()) {
+            kept.push_back(queued);
+        } else {
+            finish(queued, fail(ErrorCode::Cancelled));
+        }
+    }
+    m_users = std::move(kept);
+    if (!m_open) {
+        for (const Transaction& packet : packets) {
+            finish(Queued{packet}, fail(ErrorCode::NotConnected));
+        }
+        return;
+    }
+    for (const Transaction& packet : packets) {
+        m_stops.push_back({packet});
+    }
+    if (m_flight && !packets.empty()) {
+        m_flight->limit =
+            std::min(m_flight->limit, now + kStopPatience + m_settings.timeOf(2 * kLongestPacket));
+        m_flight->deadline = std::min(m_flight->deadline, m_flight->limit);
+    }
+    m_quietUntil = now;
+}
+
+void LinkEngine::setWishes(const PollWishes& wishes, Instant now)
+{
+    m_plan.setWishes(wishes, now);
+}
+
+void LinkEngine::shutDown()
+{
+    m_shutDown = true;
+    if (m_retry) {
+        finish(*m_retry, fail(ErrorCode::Cancelled));
+        m_retry.reset();
+    }
+    for (const Queued& queued : std::exchange(m_users, {})) {
+        finish(queued, fail(ErrorCode::Cancelled));
+    }
+}
+
+LinkEngine::Action LinkEngine::next(Instant now)
+{
+    countRates(now);
+    if (m_flight) {
+        if (now < m_flight->deadline) {
+            return {Action::Kind::Wait, m_flight->deadline, {}};
+        }
+        onDeadline(now);
+        if (m_flight) {
+            return {Action::Kind::Wait, m_flight->deadline, {}};
+        }
+    }
+    if (!m_open) {
+        return {};
+    }
+    if (!m_stops.empty()) {
+        // A stop does not wait for the line to fall quiet: its bytes follow those on their way.
+        const Queued queued = std::move(m_stops.front());
+        m_stops.pop_front();
+        return send(queued, now);
+    }
+    const Instant free = std::max(m_lineFreeAt, m_shutDown ? m_lineFreeAt : m_quietUntil);
+    if (now < free) {
+        return {Action::Kind::Wait, free, {}};
+    }
+    if (m_shutDown) {
+        return {};
+    }
+    if (const auto queued = choose(now)) {
+        return send(*queued, now);
+    }
+    const auto wake = nextWake();
+    return wake ? Action{Action::Kind::Wait, std::max(*wake, now), {}} : Action{};
+}
+
+std::optional<LinkEngine::Queued> LinkEngine::choose(Instant now)
+{
+    if (m_state != LinkState::Connected) {
+        if (m_state == LinkState::Disconnected || now < m_nextIdentify) {
+            return std::nullopt;
+        }
+        m_nextIdentify = now + kIdentifyInterval;
+        return Queued{{.command = query("get-signature")}, 1, std::nullopt, Role::Identify};
+    }
+    if (!m_motorOrder.empty()) {
+        const std::size_t slot = m_motorOrder.front();
+        m_motorOrder.pop_front();
+        Queued queued{*m_motors.at(slot)};
+        m_motors.at(slot).reset();
+        return queued;
+    }
+    const auto poll = m_plan.due(now);
+    if (m_needsSync && (m_retry || !m_users.empty() || poll)) {
+        return Queued{{.command = query("get-mode"), .priority = Priority::User},
+                      1,
+                      std::nullopt,
+                      Role::Synchronise};
+    }
+    if (m_retry && (m_retry->transaction.priority == Priority::User || m_users.empty())) {
+        ++m_batch.stats.retries;
+        return std::exchange(m_retry, std::nullopt);
+    }
+    if (!m_users.empty()) {
+        Queued queued = std::move(m_users.front());
+        m_users.pop_front();
+        return queued;
+    }
+    if (poll) {
+        m_plan.sent(*poll, now);
+        return Queued{{.command = pollCommand(*poll), .priority = Priority::Poll}, 1, poll};
+    }
+    return std::nullopt;
+}
+
+std::optional<Instant> LinkEngine::nextWake() const
+{
+    if (m_state == LinkState::Disconnected) {
+        return std::nullopt;
+    }
+    return m_state == LinkState::Connected ? m_plan.nextDue() : std::optional(m_nextIdentify);
+}
+
+LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
+{
+    const Transaction& transaction = queued.transaction;
+    const bool isRaw = !transaction.rawBytes.isEmpty();
+    Flight flight;
+    flight.queued = queued;
+    flight.sentBytes = isRaw ? transaction.rawBytes : encode(transaction.command, m_settings);
+    flight.sent = now;
+    const int crc = m_settings.hasCrc() ? 1 : 0;
+    int replyBytes = 0;
+    Duration wait = m_settings.timeout + m_slack;
+    if (isRaw) {
+        replyBytes = transaction.rawReplyBytes > 0 ? transaction.rawReplyBytes + crc : 0;
+    } else {
+        flight.parser = ReplyParser(transaction.command, m_settings);
+        replyBytes = flight.parser.expectedBytes();
+        const CommandRow& row = transaction.command.row();
+        wait = std::max<Duration>(m_settings.timeout + m_slack + row.processing, row.giveUp);
+    }
+    ++m_batch.stats.transactions;
+    ++m_rateTransactions;
+    m_batch.stats.bytesSent += static_cast<quint64>(flight.sentBytes.size());
+    if (m_echo != Echo::No) {
+        m_pendingEcho += flight.sentBytes;
+        if (m_pendingEcho.size() > 512) { // orders without reply on a line not known to echo
+            m_pendingEcho = m_pendingEcho.last(256);
+        }
+    }
+    const auto sentCount = static_cast<int>(flight.sentBytes.size());
+    m_lineFreeAt = std::max(m_lineFreeAt, now) + m_settings.timeOf(sentCount);
+    noteMotion(transaction);
+    Action action{Action::Kind::Send, now, flight.sentBytes};
+    if (replyBytes == 0) {
+        record(flight, now, std::nullopt);
+        finish(flight.queued, Reply{transaction.command, {}, flight.sentBytes, now, now});
+        return action;
+    }
+    flight.deadline = m_lineFreeAt + m_settings.timeOf(replyBytes) + wait;
+    flight.limit = flight.deadline;
+    if (queued.role == Role::Synchronise) {
+        flight.limit += kSynchroniseExtra;
+    }
+    flight.lastByte = flight.deadline;
+    m_noisySince.reset();
+    m_flight = std::move(flight);
+    return action;
+}
+
+void LinkEngine::noteMotion(const Transaction& transaction)
+{
+    if (transaction.priority == Priority::Stop) {
+        // Only a line known to work takes the motion back: on a dead one nobody has heard it.
+        const bool heard = m_stops.empty() && m_state == LinkState::Connected;
+        m_motionSent = m_motionSent && !heard;
+    } else if (movesMotor(transaction)) {
+        m_motionSent = true;
+    }
+}
+
+void LinkEngine::record(const Flight& flight, Instant ended, std::optional<ErrorCode> error)
+{
+    const Transaction& transaction = flight.queued.transaction;
+    m_batch.records.push_back({transaction.command, transaction.priority, flight.sentBytes,
+                               flight.received, flight.sent, ended, flight.queued.attempt, error,
+                               !transaction.rawBytes.isEmpty()});
+}
+
+void LinkEngine::finish(const Queued& queued, const Result<Reply>& result)
+{
+    if (queued.transaction.id != 0) {
+        m_batch.outcomes.push_back({queued.transaction.id, result});
+    }
+}
+
+bool LinkEngine::hasNews() const
+{
+    return !m_batch.outcomes.empty() || !m_batch.events.empty();
+}
+
+LinkBatch LinkEngine::takeBatch(Instant now)
+{
+    countRates(now);
+    m_batch.stats.echo = m_echo == Echo::Yes;
+    m_batch.stats.askedHertz = m_plan.wishes();
+    m_batch.stats.pollScale = m_plan.scale();
+    LinkBatch batch = std::move(m_batch);
+    m_batch = {};
+    m_batch.stats = batch.stats;
+    return batch;
+}
+
+void LinkEngine::countRates(Instant now)
+{
+    const double seconds = std::chrono::duration<double>(now - m_rateStart).count();
+    if (seconds < 1.0) {
+        return;
+    }
+    LinkStats& stats = m_batch.stats;
+    stats.transactionsPerSecond = static_cast<double>(m_rateTransactions) / seconds;
+    for (std::size_t i = 0; i < m_rateSamples.size(); ++i) {
+        stats.achievedHertz.at(i) = static_cast<double>(m_rateSamples.at(i)) / seconds;
+    }
+    m_rateSamples.fill(0);
+    m_rateTransactions = 0;
+    m_rateStart = now;
+}
+
+} // namespace trex

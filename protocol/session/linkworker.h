@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/linkengine.h"
+#include "protocol/transport/transport.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+
+namespace trex {
+
+struct OpenOptions;
+
+/// Drives one LinkEngine over one Transport. Lives on the link thread; the façade posts calls to
+/// it, and batchReady() is the only thing that comes back.
+class LinkWorker : public QObject {
+    Q_OBJECT
+    Q_DISABLE_COPY_MOVE(LinkWorker)
+
+public:
+    LinkWorker();
+    ~LinkWorker() override;
+
+    void open(const OpenOptions& options, quint32 generation);
+    void submit(const Transaction& transaction);
+    void stop(const std::vector<Transaction>& packets);
+    void setWishes(const PollWishes& wishes);
+    /// Sends `packets`, waits until they have left (bounded), closes the port.
+    void close(const std::vector<Transaction>& packets);
+    void powerCycle(); ///< the simulator only
+
+signals:
+    void batchReady(const trex::LinkBatch& batch);
+    void closed(quint32 generation);
+
+private:
+    void pump();
+    void schedulePump();
+    bool step(); ///< one action of the engine; false: nothing to do now
+    void waitForReply();
+    void openTransport();
+    void closeTransport();
+    void onFailed(const Error& error);
+    void publish(bool always);
+
+    std::unique_ptr<Transport> m_transport;
+    QString m_address;
+    std::unique_ptr<LinkEngine> m_engine;
+    LineSettings m_line;
+    PollWishes m_wishes{};
+    quint32 m_generation = 0;
+    bool m_reconnect = true;
+    bool m_isOpen = false;
+    bool m_isPumping = false;
+    bool m_isPumpPosted = false;
+    QTimer m_wake;
+    QTimer m_reopen;
+    QTimer m_publish;
+    Instant m_lastPublished;
+};
+
+} // namespace trex

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/transport/serialtransport.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#ifdef Q_OS_LINUX
+#include <linux/serial.h>
+#include <sys/ioctl.h>
+#endif
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+namespace trex {
+
+namespace {
+
+using namespace Qt::Literals::StringLiterals;
+
+/// QSerialPort takes a bare name for one under /dev; a link in the working folder is meant as such.
+QString systemName(const QString& port)
+{
+    const QFileInfo info(port);
+    return info.exists() ? info.absoluteFilePath() : port;
+}
+
+#ifdef Q_OS_UNIX
+/// What can be said before opening: QSerialPort reports a denied, a busy and a foreign file alike.
+std::optional<Error> lookAt(const QString& port)
+{
+    const QString path = port.startsWith(u'/') ? port : "/dev/"_L1 + port;
+    struct stat information { };
+    if (::stat(path.toLocal8Bit().constData(), &information) != 0) {
+        return Error{ErrorCode::PortMissing, port};
+    }
+    if (!S_ISCHR(information.st_mode)) {
+        return Error{ErrorCode::PortNotSerial, port};
+    }
+    if (::access(path.toLocal8Bit().constData(), R_OK | W_OK) != 0) {
+        return Error{ErrorCode::PortDenied, port};
+    }
+    return std::nullopt;
+}
+#endif
+
+ErrorCode codeOf(QSerialPort::SerialPortError error)
+{
+    switch (error) {
+    case QSerialPort::DeviceNotFoundError:
+        return ErrorCode::PortMissing;
+    case QSerialPort::PermissionError:
+    case QSerialPort::OpenError:
+        return ErrorCode::PortBusy; // a denied one was found by lookAt()
+    case QSerialPort::UnsupportedOperationError:
+        return ErrorCode::PortNotSerial;
+    default:
+        return ErrorCode::PortFailed;
+    }
+}
+
+} // namespace
+
+SerialTransport::SerialTransport(const QString& port, QObject* parent)
+    : Transport(parent), m_name(port), m_port(this)
+{
+    connect(&m_port, &QSerialPort::readyRead, this, &SerialTransport::onReadyRead);
+    connect(&m_port, &QSerialPort::errorOccurred, this, &SerialTransport::onError);
+}
+
+void SerialTransport::open(const LineSettings& settings)
+{
+    const QString name = systemName(m_name);
+#ifdef Q_OS_UNIX
+    if (const auto problem = lookAt(name)) {
+        emit failed({problem->code, m_name});
+        return;
+    }
+#endif
+    m_port.setPortName(name);
+    m_port.setBaudRate(settings.baud);
+    m_port.setDataBits(QSerialPort::Data8);
+    m_port.setParity(settings.errorDetection == ErrorDetection::Even      ? QSerialPort::EvenParity
+                         : settings.errorDetection == ErrorDetection::Odd ? QSerialPort::OddParity
+                                                                          : QSerialPort::NoParity);
+    m_port.setStopBits(settings.stopBits == 2 ? QSerialPort::TwoStop : QSerialPort::OneStop);
+    m_port.setFlowControl(QSerialPort::NoFlowControl);
+    if (!m_port.open(QIODevice::ReadWrite)) {
+        const QSerialPort::SerialPortError error = m_port.error();
+        const bool notSerial =
+            error == QSerialPort::UnknownError || error == QSerialPort::UnsupportedOperationError;
+        emit failed({notSerial ? ErrorCode::PortNotSerial : codeOf(error), m_name});
+        return;
+    }
+    m_isOpen = true;
+    askForLowLatency();
+    m_port.clear(); // what came before we were here is nobody's reply
+    emit opened();
+}
+
+void SerialTransport::askForLowLatency()
+{
+#ifdef Q_OS_LINUX
+    // FTDI adapters hold bytes back for 16 ms otherwise. A port that knows nothing of it refuses,
+    // and works all the same.
+    serial_struct serial{};
+    if (::ioctl(m_port.handle(), TIOCGSERIAL, &serial) == 0) {
+        serial.flags |= ASYNC_LOW_LATENCY;
+        ::ioctl(m_port.handle(), TIOCSSERIAL, &serial);
+    }
+#endif
+}
+
+void SerialTransport::close()
+{
+    m_isOpen = false;
+    if (m_port.isOpen()) {
+        m_port.close();
+    }
+}
+
+void SerialTransport::write(const QByteArray& bytes)
+{
+    if (!m_isOpen) {
+        return;
+    }
+    m_port.write(bytes);
+    m_port.flush(); // now, not when the event loop comes round
+}
+
+bool SerialTransport::waitForBytes(Duration longest)
+{
+    const quint64 before = m_reads;
+    const auto milliseconds = std::chrono::ceil<std::chrono::milliseconds>(longest).count();
+    m_port.waitForReadyRead(static_cast<int>(milliseconds));
+    return m_reads != before;
+}
+
+void SerialTransport::onReadyRead()
+{
+    const QByteArray bytes = m_port.readAll();
+    if (!bytes.isEmpty()) {
+        ++m_reads;
+        emit received(bytes, std::chrono::steady_clock::now());
+    }
+}
+
+void SerialTransport::onError(QSerialPort::SerialPortError error)
+{
+    if (!m_isOpen || error == QSerialPort::NoError || error == QSerialPort::TimeoutError
+        || error == QSerialPort::UnsupportedOperationError) {
+        return; // a pseudo-terminal refuses parity and modem lines, and works all the same
+    }
+    m_isOpen = false;
+    // Not from inside the port's own signal: closing there would pull the port away from under it.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            if (!m_isOpen) { // else opened again meanwhile
+                m_port.close();
+            }
+        },
+        Qt::QueuedConnection);
+    emit failed({ErrorCode::LineLost, m_name});
+}
+
+} // namespace trex

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/transport/transport.h"
+
+#include <QTcpSocket>
+#include <QTimer>
+
+namespace trex {
+
+/// Raw TCP to a serial server (ser2net, socat) that has the port; baud and parity are set there.
+class TcpTransport : public Transport {
+    Q_OBJECT
+
+public:
+    TcpTransport(const QString& host, quint16 port, QObject* parent = nullptr);
+    ~TcpTransport() override;
+
+    void open(const LineSettings& settings) override;
+    void close() override;
+    void write(const QByteArray& bytes) override;
+    bool waitForBytes(Duration longest) override;
+
+    static constexpr std::chrono::milliseconds kConnectTimeout{3000};
+
+private:
+    void onReadyRead();
+    void onGone(ErrorCode code);
+
+    QString m_host;
+    quint16 m_port;
+    QTcpSocket m_socket;
+    QTimer m_connectTimer;
+    bool m_isOpening = false;
+    bool m_isOpen = false;
+    quint64 m_reads = 0;
+};
+
+} // namespace trex

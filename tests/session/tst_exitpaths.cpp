@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// However a session ends, the motors are told to stop and hear nothing after that. The witness is
+// the simulated controller's own record, on a pseudo-terminal, beyond the reach of the host's code.
+#include "protocol/codec/packet.h"
+#include "protocol/session/controller.h"
+#include "protocol/session/linkengine.h"
+#include "protocol/sim/simserver.h"
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSemaphore>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
+#include <QTimer>
+
+using namespace trex;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+/// A server on a thread of its own, as another program would be.
+class Server : public QThread {
+public:
+    Server(sim::SimOptions options, QString link, QString log)
+        : m_options(std::move(options)), m_link(std::move(link)), m_log(std::move(log))
+    {
+        start();
+        m_started.acquire();
+    }
+    ~Server() override { end(); }
+    Server(const Server&) = delete;
+    Server& operator=(const Server&) = delete;
+    [[nodiscard]] bool isOk() const { return m_server != nullptr; }
+    void hangUp(double seconds)
+    {
+        QMetaObject::invokeMethod(m_server, [server = m_server, seconds] {
+            sim::Faults faults;
+            faults.hangupFor = seconds;
+            server->line().setFaults(faults, server->virtualNow());
+        });
+    }
+    void end() ///< the log is complete after this
+    {
+        quit();
+        wait();
+    }
+
+protected:
+    void run() override
+    {
+        sim::SimServer server(m_options);
+        if (server.setLogFile(m_log).has_value() && server.listenPty(m_link).has_value()) {
+            m_server = &server;
+        }
+        m_started.release();
+        exec();
+    }
+
+private:
+    sim::SimOptions m_options;
+    QString m_link;
+    QString m_log;
+    QSemaphore m_started;
+    sim::SimServer* m_server = nullptr; ///< on its own thread
+};
+
+struct Record {
+    std::vector<QByteArray> motorPackets; ///< as heard
+    std::array<int, 3> speeds{}; ///< last of each motor
+    std::array<bool, 3> moved{};
+    bool isBad = false; ///< something that the controller could not take
+};
+
+Record readRecord(const QString& path)
+{
+    Record record;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return record;
+    }
+    while (!file.atEnd()) {
+        const QJsonObject entry = QJsonDocument::fromJson(file.readLine()).object();
+        const QString kind = entry[u"kind"].toString();
+        if (entry[u"event"] == u"output"_s) {
+            const auto motor = static_cast<std::size_t>(entry[u"motor"].toInt() - 1);
+            record.speeds.at(motor) = entry[u"speed"].toInt();
+            record.moved.at(motor) = record.moved.at(motor) || entry[u"speed"].toInt() != 0;
+        } else if (kind == u"motor"_s) {
+            record.motorPackets.push_back(
+                QByteArray::fromHex(entry[u"bytes"].toString().toLatin1()));
+        } else if (kind.startsWith(u"bad"_s)) {
+            record.isBad = true;
+        }
+    }
+    return record;
+}
+
+enum class Exit { Stop, Disarm, Close, Destructor, LostLine };
+enum class Traffic { Set, Accelerate, Polls };
+
+} // namespace
+
+class TestExitPaths : public QObject {
+    Q_OBJECT
+
+private slots:
+    void exit_leavesAllMotorsNeutral_data();
+    void exit_leavesAllMotorsNeutral();
+};
+
+void TestExitPaths::exit_leavesAllMotorsNeutral_data()
+{
+    QTest::addColumn<int>("exit");
+    QTest::addColumn<int>("traffic");
+    QTest::addColumn<int>("line");
+    constexpr std::array kExits{"stop", "disarm", "close", "destructor", "lost line"};
+    constexpr std::array kTraffics{"set", "accelerate", "polls"};
+    constexpr std::array kLines{"compact", "pololu", "CRC"};
+    for (std::size_t exit = 0; exit < kExits.size(); ++exit) {
+        for (std::size_t traffic = 0; traffic < kTraffics.size(); ++traffic) {
+            for (std::size_t line = 0; line < kLines.size(); ++line) {
+                QTest::addRow("%s, %s, %s", kExits.at(exit), kTraffics.at(traffic), kLines.at(line))
+                    << static_cast<int>(exit) << static_cast<int>(traffic)
+                    << static_cast<int>(line);
+            }
+        }
+    }
+}
+
+void TestExitPaths::exit_leavesAllMotorsNeutral()
+{
+    QFETCH(int, exit);
+    QFETCH(int, traffic);
+    QFETCH(int, line);
+    const auto way = static_cast<Exit>(exit);
+    const bool drives = static_cast<Traffic>(traffic) != Traffic::Polls;
+
+    QTemporaryDir folder;
+    const QString log = folder.filePath(u"log.jsonl"_s);
+    sim::SimOptions simulated;
+    OpenOptions options;
+    options.port = folder.filePath(u"port"_s);
+    options.line.form = line == 1 ? PacketForm::Pololu : PacketForm::Compact;
+    options.line.errorDetection = simulated.errorDetection =
+        line == 2 ? ErrorDetection::Crc7 : ErrorDetection::None;
+    simulated.parameters[0x0E] = simulated.parameters[0x0F] = simulated.parameters[0x10] = 60;
+    Server server(simulated, options.port, log);
+    QVERIFY(server.isOk());
+
+    auto controller = std::make_unique<Controller>(nullptr, nullptr);
+    controller->want(this, PollId::Currents, 80.0);
+    controller->want(this, PollId::RawChannels, 50.0);
+    controller->open(options);
+    QTRY_COMPARE_WITH_TIMEOUT(controller->state(), LinkState::Connected, 5000);
+    QVERIFY(controller->arm().has_value());
+
+    // Orders as from a slider that is being dragged; it does not stop when the session ends.
+    int orders = 0;
+    QTimer hand;
+    connect(&hand, &QTimer::timeout, this, [&] {
+        if (!controller) {
+            return;
+        }
+        const auto action = static_cast<Traffic>(traffic) == Traffic::Set
+            ? MotorOrder::Action::Set
+            : MotorOrder::Action::Accelerate;
+        const int speed = 60 + ++orders % 60;
+        std::ignore = controller->driveMotor(MotorId::Motor1, {action, speed});
+        std::ignore = controller->driveMotor(MotorId::Motor2, {action, -speed});
+        std::ignore = controller->driveMotor(MotorId::Aux, {action, speed});
+        std::ignore = controller->driveBoth({action, speed}, {action, -speed});
+    });
+    if (drives) {
+        hand.start(3);
+    }
+    QTRY_VERIFY(controller->stats().transactions > 60 && (!drives || orders > 30));
+
+    switch (way) {
+    case Exit::Stop:
+    case Exit::Disarm: {
+        QSignalSpy stopped(controller.get(), &Controller::stopped);
+        way == Exit::Stop ? controller->stop() : controller->disarm();
+        QTRY_COMPARE(stopped.count(), 1);
+        QTest::qWait(100); // the hand goes on, in vain
+        controller->wantNothing(this);
+        break;
+    }
+    case Exit::Close:
+        controller->close();
+        QTRY_COMPARE(controller->state(), LinkState::Disconnected);
+        QTest::qWait(100);
+        break;
+    case Exit::Destructor:
+        controller.reset();
+        break;
+    case Exit::LostLine: {
+        QSignalSpy reconnected(controller.get(), &Controller::reconnected);
+        server.hangUp(0.4);
+        QTRY_COMPARE_WITH_TIMEOUT(reconnected.count(), 1, 6000);
+        QTest::qWait(200);
+        break;
+    }
+    }
+    hand.stop();
+    QTest::qWait(50); // what is on its way arrives
+    server.end(); // before the façade: its own close would stop the motors once more
+    controller.reset();
+
+    const Record record = readRecord(log);
+    QVERIFY(!record.isBad);
+    QCOMPARE(record.speeds, (std::array{0, 0, 0}));
+    QCOMPARE(record.moved, (std::array{drives, drives, drives}));
+    if (way == Exit::LostLine && !drives) {
+        QVERIFY2(record.motorPackets.empty(), "nothing moved, nothing needs a stop");
+        return;
+    }
+    const auto stops = stopCommands(false);
+    QVERIFY(record.motorPackets.size() >= stops.size());
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const auto& heard = record.motorPackets.at(record.motorPackets.size() - stops.size() + i);
+        QCOMPARE(heard, encode(stops.at(i), options.line));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestExitPaths)
+#include "tst_exitpaths.moc"

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// On a real pseudo-terminal, whose other end the test holds.
+#include "protocol/transport/serialtransport.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+using namespace trex;
+using namespace std::chrono_literals;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+class Pty {
+public:
+    Pty() : m_master(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK))
+    {
+        ::grantpt(m_master);
+        ::unlockpt(m_master);
+    }
+    ~Pty() { hangUp(); }
+    Pty(const Pty&) = delete;
+    Pty& operator=(const Pty&) = delete;
+    [[nodiscard]] QString name() const { return QString::fromLocal8Bit(::ptsname(m_master)); }
+    void say(const QByteArray& bytes) const
+    {
+        QCOMPARE(::write(m_master, bytes.data(), static_cast<std::size_t>(bytes.size())),
+                 bytes.size());
+    }
+    QByteArray hear()
+    {
+        std::array<char, 64> chunk{};
+        const auto count = ::read(m_master, chunk.data(), chunk.size());
+        if (count > 0) {
+            m_heard.append(chunk.data(), count);
+        }
+        return m_heard;
+    }
+    void hangUp()
+    {
+        if (m_master >= 0) {
+            ::close(std::exchange(m_master, -1));
+        }
+    }
+
+private:
+    int m_master;
+    QByteArray m_heard;
+};
+
+/// A transport with everything that it has said.
+struct Bench {
+    explicit Bench(const QString& port) : transport(port)
+    {
+        QObject::connect(&transport, &Transport::opened, &transport, [this] { ++opened; });
+        QObject::connect(&transport, &Transport::received, &transport,
+                         [this](const QByteArray& bytes, Instant) { received += bytes; });
+        QObject::connect(&transport, &Transport::failed, &transport,
+                         [this](const Error& error) { errors.push_back(error); });
+    }
+    SerialTransport transport;
+    int opened = 0;
+    QByteArray received;
+    std::vector<Error> errors;
+};
+
+} // namespace
+
+class TestSerialTransport : public QObject {
+    Q_OBJECT
+
+private slots:
+    void pty_carriesAllBytesBothWays()
+    {
+        Pty pty;
+        Bench bench(pty.name());
+        bench.transport.open({});
+        QCOMPARE(bench.opened, 1);
+        QByteArray all;
+        for (int i = 0; i < 256; ++i) { // XON, XOFF, line ends, NUL: nothing is special
+            all.append(static_cast<char>(i));
+        }
+        bench.transport.write(all);
+        QTRY_COMPARE(pty.hear(), all);
+        pty.say(all);
+        QTRY_COMPARE(bench.received, all);
+        QVERIFY(bench.errors.empty());
+    }
+
+    void waitForBytes_tellsWhetherSomethingCame()
+    {
+        Pty pty;
+        Bench bench(pty.name());
+        bench.transport.open({});
+        QVERIFY(!bench.transport.waitForBytes(5ms));
+        pty.say("TReX");
+        QVERIFY(bench.transport.waitForBytes(1s));
+        QCOMPARE(bench.received, QByteArray("TReX"));
+    }
+
+    void parityAndStopBits_doNotKeepAPtyFromWorking()
+    {
+        for (const auto detection : {ErrorDetection::Even, ErrorDetection::Odd}) {
+            Pty pty;
+            Bench bench(pty.name());
+            LineSettings settings;
+            settings.errorDetection = detection;
+            settings.stopBits = 2;
+            settings.baud = 115200;
+            bench.transport.open(settings);
+            QCOMPARE(bench.opened, 1);
+            bench.transport.write("\x01");
+            QTRY_COMPARE(pty.hear(), QByteArray("\x01"));
+        }
+    }
+
+    void notAPort_isRefusedWithItsReason_data()
+    {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<ErrorCode>("code");
+        QTest::newRow("missing") << u"missing"_s << ErrorCode::PortMissing;
+        QTest::newRow("regular file") << u"file"_s << ErrorCode::PortNotSerial;
+        QTest::newRow("directory") << u"folder"_s << ErrorCode::PortNotSerial;
+        QTest::newRow("device that is no terminal") << u"/dev/null"_s << ErrorCode::PortNotSerial;
+    }
+    void notAPort_isRefusedWithItsReason()
+    {
+        QFETCH(QString, kind);
+        QFETCH(ErrorCode, code);
+        QTemporaryDir folder;
+        QString path = folder.filePath(u"port"_s);
+        if (kind == u"file"_s) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("precious");
+        } else if (kind == u"folder"_s) {
+            path = folder.path();
+        } else if (kind.startsWith(u'/')) {
+            path = kind;
+        }
+        Bench bench(path);
+        bench.transport.open({});
+        QCOMPARE(bench.opened, 0);
+        QCOMPARE(bench.errors.size(), std::size_t{1});
+        QCOMPARE(bench.errors.front().code, code);
+        QCOMPARE(bench.errors.front().context, path);
+        if (kind == u"file"_s) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QCOMPARE(file.readAll(), QByteArray("precious"));
+        }
+    }
+
+    void portInUse_isBusy()
+    {
+        Pty pty;
+        Bench first(pty.name());
+        first.transport.open({});
+        QCOMPARE(first.opened, 1);
+        Bench second(pty.name());
+        second.transport.open({});
+        if (::geteuid() == 0) {
+            QSKIP("the superuser may open a port that is in use");
+        }
+        QCOMPARE(second.errors.size(), std::size_t{1});
+        QCOMPARE(second.errors.front().code, ErrorCode::PortBusy);
+    }
+
+    void hangUp_isALostLine_andAnotherCanBeOpened()
+    {
+        QTemporaryDir folder;
+        const QString link = folder.filePath(u"port"_s);
+        auto pty = std::make_unique<Pty>();
+        QVERIFY(QFile::link(pty->name(), link));
+        Bench bench(link);
+        bench.transport.open({});
+        QCOMPARE(bench.opened, 1);
+        pty->hangUp();
+        QTRY_COMPARE(bench.errors.size(), std::size_t{1});
+        QCOMPARE(bench.errors.front().code, ErrorCode::LineLost);
+        bench.transport.write("\x81"); // goes nowhere, harms nothing
+        QVERIFY(QFile::remove(link));
+        Pty next;
+        QVERIFY(QFile::link(next.name(), link));
+        bench.transport.open({}); // before the event loop has come round
+        QTRY_COMPARE(bench.opened, 2);
+        QTest::qWait(20);
+        bench.transport.write("\x81");
+        QTRY_COMPARE(next.hear(), QByteArray("\x81"));
+        QCOMPARE(bench.errors.size(), std::size_t{1});
+    }
+
+    void hangUpWhileWaiting_isALostLine()
+    {
+        Pty pty;
+        Bench bench(pty.name());
+        bench.transport.open({});
+        pty.hangUp();
+        for (int i = 0; i < 50 && bench.errors.empty(); ++i) {
+            bench.transport.waitForBytes(20ms);
+        }
+        QCOMPARE(bench.errors.size(), std::size_t{1});
+        QCOMPARE(bench.errors.front().code, ErrorCode::LineLost);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSerialTransport)
+#include "tst_serialtransport.moc"
