@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+namespace trex {
+
+class Controller;
+class DeviceSettings;
+class EventLog;
+class FileDialogs;
+class FrameTicker;
+class StatusLatch;
+class TelemetryStore;
+class UiSettings;
+
+/// All that a panel may know. Panels never talk to each other, only to this.
+struct PanelContext {
+    Controller& controller;
+    DeviceSettings& deviceSettings;
+    TelemetryStore& store;
+    StatusLatch& latch;
+    EventLog& log;
+    UiSettings& settings;
+    FrameTicker& ticker;
+    FileDialogs& fileDialogs;
+};
+
+/// Base of the panels; a row of panelregistry.cpp makes each one. GUI thread.
+class Panel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Panel(PanelContext& context, QWidget* parent = nullptr)
+        : QWidget(parent), m_context(context) { }
+
+protected:
+    [[nodiscard]] PanelContext& context() const { return m_context; }
+
+private:
+    PanelContext& m_context;
+};
+
+/// Sets the object name that scripts and tests find, and the accessible name that a screen reader
+/// says; returns the widget, so that it wraps its creation.
+template <class T>
+T* named(T* widget, const QString& objectName, const QString& accessibleName = {})
+{
+    widget->setObjectName(objectName);
+    if (!accessibleName.isEmpty()) {
+        widget->setAccessibleName(accessibleName);
+    }
+    return widget;
+}
+
+} // namespace trex

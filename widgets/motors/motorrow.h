@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/codec/quantities.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace trex {
+
+class MotorSlider;
+
+/// One motor: title, slider, commanded speed raw and in percent, zero, and a brake with its duty.
+class MotorRow : public QWidget {
+    Q_OBJECT
+
+public:
+    MotorRow(MotorId motor, const QString& title, const QString& namePrefix,
+             QWidget* parent = nullptr);
+
+    [[nodiscard]] int speed() const;
+    void setSpeed(int speed); ///< shown, not reported
+    void setBraking(int duty); ///< shown in place of the speed until the next order
+    void setUsable(bool usable);
+
+signals:
+    void speedWanted(int speed);
+    void brakeWanted(int duty);
+
+private:
+    void showSpeed(int speed);
+    MotorSlider* m_slider;
+    QLabel* m_value;
+    QPushButton* m_zero;
+    QPushButton* m_brake = nullptr; ///< none for the auxiliary motor: it has no brake
+    QSpinBox* m_duty = nullptr;
+};
+
+} // namespace trex

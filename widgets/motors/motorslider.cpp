@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/motors/motorslider.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace trex {
+
+namespace {
+
+constexpr int kHandleWidth = 14;
+constexpr int kHeight = 36;
+constexpr int kDetent = 3; // speed steps about neutral that a dragged handle falls into
+constexpr int kSmallStep = 1;
+constexpr int kLargeStep = 8;
+
+} // namespace
+
+MotorSlider::MotorSlider(int minimum, int maximum, ColourRole role, QWidget* parent)
+    : QSlider(Qt::Horizontal, parent), m_role(role)
+{
+    setRange(minimum, maximum);
+    setSingleStep(kSmallStep);
+    setPageStep(kLargeStep);
+    setFocusPolicy(Qt::StrongFocus); // not by the wheel
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QSize MotorSlider::sizeHint() const
+{
+    return {200, kHeight};
+}
+
+QSize MotorSlider::minimumSizeHint() const
+{
+    return {120, kHeight};
+}
+
+double MotorSlider::xOf(int value) const
+{
+    const double room = width() - kHandleWidth;
+    return kHandleWidth / 2.0 + room * (value - minimum()) / (maximum() - minimum());
+}
+
+int MotorSlider::valueAt(double x) const
+{
+    const double room = std::max(1, width() - kHandleWidth);
+    const double share = (x - kHandleWidth / 2.0) / room;
+    return minimum() + static_cast<int>(std::lround(share * (maximum() - minimum())));
+}
+
+void MotorSlider::paintScale(QPainter& painter) const
+{
+    painter.setPen(theme::colour(ColourRole::Border));
+    const int middle = height() / 2;
+    for (int quarter = -4; quarter <= 4; ++quarter) {
+        const int value = quarter * 127 / 4;
+        if (value >= minimum()) {
+            const double x = xOf(value);
+            const int reach = quarter == 0 ? 14 : 9;
+            painter.drawLine(QPointF(x, middle - reach), QPointF(x, middle + reach));
+        }
+    }
+}
+
+void MotorSlider::paintEvent(QPaintEvent* event)
+{
+    Q_UNUSED(event)
+    QPainter painter(this);
+    paintScale(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double middle = height() / 2.0;
+    const QColor colour = isEnabled() ? theme::colour(m_role) : theme::colour(ColourRole::Stale);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme::colour(ColourRole::Border));
+    painter.drawRoundedRect(QRectF(kHandleWidth / 2.0, middle - 3, width() - kHandleWidth, 6), 3,
+                            3);
+    const double neutral = xOf(0);
+    const double handle = xOf(sliderPosition());
+    if (isEnabled() && sliderPosition() != 0) {
+        painter.setBrush(colour);
+        painter.drawRoundedRect(
+            QRectF(std::min(neutral, handle), middle - 3, std::abs(handle - neutral), 6), 3, 3);
+    }
+    painter.setPen(
+        QPen(hasFocus() ? theme::colour(ColourRole::Accent) : colour, hasFocus() ? 2.0 : 1.0));
+    painter.setBrush(isEnabled() ? colour : theme::colour(ColourRole::Panel));
+    painter.drawRoundedRect(
+        QRectF(handle - kHandleWidth / 2.0 + 1, middle - 11, kHandleWidth - 2, 22), 3, 3);
+    painter.setPen(theme::colour(ColourRole::Panel));
+    painter.drawLine(QPointF(handle, middle - 6), QPointF(handle, middle + 6));
+}
+
+void MotorSlider::wheelEvent(QWheelEvent* event)
+{
+    if (hasFocus()) {
+        QSlider::wheelEvent(event);
+    } else {
+        event->ignore(); // scrolls what the slider stands in
+    }
+}
+
+void MotorSlider::keyPressEvent(QKeyEvent* event)
+{
+    switch (event->key()) {
+    case Qt::Key_Home:
+    case Qt::Key_Space:
+    case Qt::Key_0:
+        setValue(0);
+        return;
+    case Qt::Key_End: // would be full speed at one stroke
+        return;
+    default:
+        QSlider::keyPressEvent(event);
+    }
+}
+
+void MotorSlider::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton) {
+        event->ignore();
+        return;
+    }
+    setFocus(Qt::MouseFocusReason);
+    const double x = event->position().x();
+    m_grip = x - xOf(sliderPosition());
+    if (std::abs(m_grip) <= kHandleWidth) {
+        setSliderDown(true);
+        return;
+    }
+    // Beside the handle: one large step towards the pointer, never a jump to it.
+    triggerAction(m_grip < 0 ? SliderPageStepSub : SliderPageStepAdd);
+}
+
+void MotorSlider::mouseMoveEvent(QMouseEvent* event)
+{
+    if (isSliderDown()) {
+        const int wanted =
+            std::clamp(valueAt(event->position().x() - m_grip), minimum(), maximum());
+        setSliderPosition(std::abs(wanted) <= kDetent ? 0 : wanted);
+    }
+}
+
+void MotorSlider::mouseReleaseEvent(QMouseEvent* event)
+{
+    Q_UNUSED(event)
+    setSliderDown(false);
+}
+
+} // namespace trex

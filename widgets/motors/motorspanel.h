@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/controller.h"
+#include "widgets/common/panel.h"
+
+#include <QTimer>
+
+#include <array>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace trex {
+
+class MotorRow;
+
+/// Drives the motors. Disarmed at start; arming is one deliberate act, and every way out of it
+/// stops all three motors. GUI thread.
+class MotorsPanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit MotorsPanel(PanelContext& context, QWidget* parent = nullptr);
+
+private:
+    void makeControls();
+    void makeRows();
+    void onArmClicked(bool wanted);
+    void onSpeed(MotorId motor, int speed);
+    void onBrake(MotorId motor, int duty);
+    void refresh();
+    void refreshHint();
+    void showOrders();
+    void report(const Result<void>& result);
+    [[nodiscard]] MotorOrder orderFor(int speed) const;
+    [[nodiscard]] bool isJoint() const;
+    [[nodiscard]] MotorRow& row(MotorId motor) const;
+
+    QPushButton* m_arm = nullptr;
+    QComboBox* m_mode = nullptr;
+    QCheckBox* m_link = nullptr;
+    QLabel* m_hint = nullptr;
+    std::array<MotorRow*, 3> m_rows{};
+    QTimer m_lockout; ///< arming is refused just after a stop
+};
+
+} // namespace trex
