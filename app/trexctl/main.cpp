@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/logging.h"
+#include "app/common/signalwatcher.h"
+#include "app/common/version.h"
+#include "app/trexctl/commandline.h"
+#include "app/trexctl/session.h"
+#include "protocol/storage/linesettingsstore.h"
+
+#include <QCoreApplication>
+
+#include <csignal>
+
+using namespace trex;
+
+namespace {
+
+Result<OpenOptions> openOptions(CommandLine& commandLine, SettingsFile& settings)
+{
+    if (commandLine.verb().usesPort()) {
+        return toOpenOptions(commandLine.lineOptions(), settings);
+    }
+    return toLineSettings(commandLine.lineOptions()).map([](const LineSettings& line) {
+        return OpenOptions{.port = {}, .line = line};
+    });
+}
+
+int run(CommandLine& commandLine, SettingsFile& settings, const OpenOptions& options)
+{
+    SignalWatcher signalWatcher{SIGINT, SIGTERM, SIGUSR1};
+    Session session(commandLine.verb(), options, commandLine.isJson());
+    logWire(session.controller(), commandLine.verbosity());
+    QObject::connect(&session, &Session::finished, qApp, &QCoreApplication::exit);
+    QObject::connect(&session, &Session::connected, &session, [&] {
+        if (commandLine.lineOptions().port) {
+            LineSettingsStore(settings).remember(options.port, options.line);
+        }
+    });
+    QObject::connect(&signalWatcher, &SignalWatcher::received, &session, [&](int number) {
+        number == SIGUSR1 ? commandLine.verb().powerCycle() : session.interrupt();
+    });
+    QMetaObject::invokeMethod(&session, &Session::start, Qt::QueuedConnection);
+    return QCoreApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    QCoreApplication app(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("trexctl"));
+    QCoreApplication::setApplicationVersion(QLatin1StringView(kVersion));
+    CommandLine commandLine;
+    if (const auto exitCode = commandLine.parse(argc, argv)) {
+        return *exitCode;
+    }
+    installLogging(commandLine.verbosity());
+    SettingsFile settings;
+    const auto options = openOptions(commandLine, settings);
+    const Checked checkedLine = checked(options);
+    const Checked checkedVerb = checkedLine ? commandLine.verb().check(*options) : checkedLine;
+    if (!checkedVerb) {
+        printMessage(checkedVerb.error().text);
+        return checkedVerb.error().exitCode;
+    }
+    return run(commandLine, settings, *options);
+}

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// calibration learn
+#include "app/common/numbers.h"
+#include "app/trexctl/calibrationtext.h"
+#include "app/trexctl/terminal.h"
+#include "app/trexctl/verbs.h"
+#include "protocol/procedures/calibrationfeed.h"
+#include "protocol/procedures/calibrationtext.h"
+
+#include <CLI/CLI.hpp>
+
+using namespace Qt::Literals::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace trex {
+namespace {
+
+using Step = ChannelCalibration::Step;
+
+constexpr auto kLook = 50ms; // how often the procedure's state is looked at
+constexpr double kLongestNeutralSeconds = 60.0;
+constexpr double kLongestSweepSeconds = 600.0;
+constexpr double kUsualSweepSeconds = 6.0;
+// How much longer than asked for a rest or a full sweep is waited before it is given up.
+constexpr auto kPatience = 20s;
+
+Instant clockNow()
+{
+    return std::chrono::steady_clock::now();
+}
+
+Duration toDuration(double seconds)
+{
+    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+}
+
+class LearnVerb : public Verb {
+public:
+    void declare(CLI::App& app) override
+    {
+        const auto add = [&app](const char* name, const char* unit, QString& target,
+                                const QString& help) {
+            app.add_option_function<std::string>(
+                   name,
+                   [&target](const std::string& text) { target = QString::fromStdString(text); },
+                   help.toStdString())
+                ->type_name(unit);
+        };
+        add("--channels", "LIST", m_channelsText, Cli::tr("such as 1,2; default: all five"));
+        add("--neutral-seconds", "S", m_neutralText, Cli::tr("rest needed for neutral; default 2"));
+        add("--sweep-seconds", "S", m_sweepText, Cli::tr("least time for the extremes; default 6"));
+        app.add_flag("--yes", m_isConfirmed,
+                     Cli::tr("ask nothing: start at once, and write at the end").toStdString());
+    }
+
+    Checked check(const OpenOptions&) override
+    {
+        return readChannels()
+            .and_then([this] { return readSeconds(); })
+            .and_then([this]() -> Checked {
+                if (!m_isConfirmed && !isAtTerminal()) {
+                    return usage(Cli::tr("A calibration asks before it writes: use a terminal, or "
+                                         "--yes. Nothing was sent."));
+                }
+                return {};
+            });
+    }
+
+    Task run(Session& session) override
+    {
+        const Reply modeReply = co_await session.ask(query("get-mode"));
+        const auto mode = parseMode(modeReply.payload);
+        if (!mode || !isSerial(*mode)) {
+            session.fail(mode ? Error{ErrorCode::NotInSerialMode, {}} : mode.error());
+            co_return;
+        }
+        startCalibration(session);
+        while (m_calibration->step() == Step::Choose && !m_result) {
+            co_await session.sleepUntil(clockNow() + kLook);
+        }
+        guide(session, Cli::tr("Neutral: leave all sticks and switches at rest and let go."));
+        const Instant neutralEnd = clockNow() + 2 * toDuration(m_neutralSeconds) + kPatience;
+        while (m_calibration->step() == Step::Neutral && !m_calibration->canContinue()
+               && clockNow() < neutralEnd) {
+            co_await session.sleepUntil(clockNow() + kLook);
+        }
+        if (m_calibration->step() == Step::Neutral && !m_calibration->canContinue()) {
+            giveUp(session, m_calibration->whyNot());
+            co_return;
+        }
+        m_calibration->next();
+        guide(session,
+              Cli::tr("Extremes: move every stick and switch to all its ends, a few times."));
+        const Instant sweepBegin = clockNow();
+        const Instant sweepLeast = sweepBegin + toDuration(m_sweepSeconds);
+        while (m_calibration->step() == Step::Extremes
+               && (clockNow() < sweepLeast || !m_calibration->canContinue())
+               && clockNow() < sweepLeast + kPatience) {
+            co_await session.sleepUntil(clockNow() + kLook);
+        }
+        m_calibration->finishExtremes();
+        if (m_calibration->step() == Step::Review) {
+            if (const QString reason = unlearned(); !reason.isEmpty()) {
+                giveUp(session, reason);
+                co_return;
+            }
+            guide(session, toText(entries(mode.value(), 0)));
+            if (!m_isConfirmed && !co_await confirmed(session)) {
+                giveUp(session, Cli::tr("Not confirmed."), exitcode::kUsage);
+                co_return;
+            }
+            m_calibration->next();
+        }
+        while (!m_result) {
+            co_await session.sleepUntil(clockNow() + kLook);
+        }
+        if (!*m_result) {
+            session.fail(Failure{exitCodeOf(m_result->error().code), m_calibration->outcomeText()});
+            co_return;
+        }
+        const Reply learned = co_await session.ask(query("get-learned"));
+        const auto mask = static_cast<std::uint8_t>(learned.payload.front());
+        session.output().answer(toJson(entries(*mode, mask)), toText(entries(*mode, mask)));
+        session.end();
+    }
+
+    void interrupted(Session& session) override
+    {
+        if (m_calibration && m_calibration->step() == Step::Writing) {
+            m_calibration->cancel(); // ends behind the channel being written, and says which
+        } else {
+            Verb::interrupted(session);
+        }
+    }
+
+private:
+    Checked readChannels()
+    {
+        if (m_channelsText.isNull()) {
+            return {};
+        }
+        m_mask = 0;
+        const QStringList parts = m_channelsText.split(u',');
+        for (const QString& part : parts) {
+            const auto channel = numberInRange("--channels", part, 1, kChannelCount);
+            if (!channel) {
+                return checked(channel);
+            }
+            m_mask = static_cast<std::uint8_t>(m_mask | 1U << (*channel - 1));
+        }
+        return {};
+    }
+
+    Checked readSeconds()
+    {
+        if (!m_neutralText.isNull()) {
+            const auto seconds =
+                positiveNumber("--neutral-seconds", m_neutralText, kLongestNeutralSeconds);
+            if (!seconds) {
+                return checked(seconds);
+            }
+            m_neutralSeconds = *seconds;
+        }
+        if (!m_sweepText.isNull()) {
+            return checked(positiveNumber("--sweep-seconds", m_sweepText, kLongestSweepSeconds)
+                               .map([this](double seconds) { m_sweepSeconds = seconds; }));
+        }
+        return {};
+    }
+
+    static Required<bool> confirmed(Session& session)
+    {
+        return session.need<bool>([&session](const Awaiting<bool>::Handler& handler) {
+            confirmLater(Cli::tr("Write these calibrations to the controller?"), &session,
+                         [handler](bool isYes) { handler(isYes); });
+        });
+    }
+
+    void startCalibration(Session& session)
+    {
+        m_calibration =
+            std::make_unique<ChannelCalibration>(session.controller(), session.settings());
+        m_feed = std::make_unique<RequestFeed>(session.controller(), *m_calibration);
+        QObject::connect(m_calibration.get(), &Procedure::finished, &session,
+                         [this](const Result<void>& result) { m_result = result; });
+        m_calibration->setChannels(m_mask);
+        m_calibration->setStillTime(toDuration(m_neutralSeconds));
+        m_calibration->start();
+    }
+
+    /// For a person who watches; a script's stderr stays clean.
+    static void guide(Session& session, const QString& text)
+    {
+        if (isAtTerminal()) {
+            const QStringList lines = text.split(u'\n');
+            for (const QString& line : lines) {
+                session.tell(line);
+            }
+        }
+    }
+
+    void giveUp(Session& session, const QString& reason, int exitCode = exitcode::kNoReply)
+    {
+        if (!m_result) {
+            m_calibration->cancel();
+        }
+        session.fail(Failure{
+            exitCode,
+            Cli::tr("%1 Nothing was written; --channels chooses the channels.").arg(reason)});
+    }
+
+    /// Why the first chosen channel that could not be learned was not.
+    QString unlearned() const
+    {
+        for (int channel = 1; channel <= kChannelCount; ++channel) {
+            const LearnedChannel* learned = m_calibration->learned(channel);
+            if (learned != nullptr && learned->verdict == Verdict::DoAgain) {
+                return Cli::tr("Channel %1: %2")
+                    .arg(channel)
+                    .arg(reasonText(*learned, m_calibration->input()));
+            }
+        }
+        return {};
+    }
+
+    std::vector<CalibrationEntry> entries(Mode mode, std::uint8_t learnedMask) const
+    {
+        std::vector<CalibrationEntry> all;
+        for (int channel = 1; channel <= kChannelCount; ++channel) {
+            const LearnedChannel* learned = m_calibration->learned(channel);
+            if (learned != nullptr) {
+                all.push_back({channel, inputOf(mode),
+                               m_calibration->readBack(channel).value_or(learned->calibration),
+                               (learnedMask >> (channel - 1) & 1) != 0});
+            }
+        }
+        return all;
+    }
+
+    QString m_channelsText;
+    QString m_neutralText;
+    QString m_sweepText;
+    bool m_isConfirmed = false;
+    std::uint8_t m_mask = kAllChannelsMask;
+    double m_neutralSeconds =
+        std::chrono::duration<double>(CalibrationLearner::kDefaultStillTime).count();
+    double m_sweepSeconds = kUsualSweepSeconds;
+    std::unique_ptr<ChannelCalibration> m_calibration;
+    std::unique_ptr<RequestFeed> m_feed;
+    std::optional<Result<void>> m_result;
+};
+
+} // namespace
+
+std::unique_ptr<Verb> makeCalibrationLearn()
+{
+    return std::make_unique<LearnVerb>();
+}
+
+} // namespace trex

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/logging.h"
+#include "app/common/signalwatcher.h"
+#include "app/common/version.h"
+#include "app/script/processclock.h"
+#include "app/trexpanel/paneloptions.h"
+#include "app/trexpanel/program.h"
+#include "protocol/errortext.h"
+
+#include <QApplication>
+#include <QLocale>
+
+#include <csignal>
+
+using namespace trex;
+
+int main(int argc, char* argv[])
+{
+    processclock::sinceStartMs(); // the clock looks at the process's age once, early
+    PanelOptions options;
+    if (const auto exitCode = parsePanelOptions(argc, argv, options)) {
+        return *exitCode;
+    }
+    prepareEnvironment(options);
+    installLogging(options.verbosity);
+
+    QApplication app(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("trexpanel"));
+    QApplication::setApplicationDisplayName(QStringLiteral("TReX Panel"));
+    QApplication::setApplicationVersion(QLatin1StringView(kVersion));
+    QApplication::setDesktopFileName(QStringLiteral("trexpanel"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/trexpanel.svg")));
+    QApplication::setQuitOnLastWindowClosed(
+        false); // the program quits when the motors were stopped
+    QLocale::setDefault(QLocale::c()); // figures look the same everywhere: a point, no grouping
+
+    Program program(options);
+    SignalWatcher signalWatcher{SIGINT, SIGTERM};
+    QObject::connect(&signalWatcher, &SignalWatcher::received, &program, &Program::quit);
+    if (const Result<void> started = program.start(); !started) {
+        printMessage(QStringLiteral("trexpanel: ") + errorText(started.error()));
+        return 2;
+    }
+    return QApplication::exec();
+}

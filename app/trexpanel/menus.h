@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QString>
+
+#include <functional>
+#include <utility>
+
+class QAction;
+class QMenu;
+
+namespace trex {
+
+/// A menu of exclusive choices: each row is a key and the words for it. `chosen` gets the key.
+void addChoices(QMenu& menu, const QString& objectPrefix,
+                const QList<std::pair<QString, QString>>& rows, const QString& current,
+                const std::function<void(const QString& key)>& chosen);
+
+/// An entry with a name that scripts find ("action." + part).
+QAction* addEntry(QMenu& menu, const QString& part, const QString& text, const QString& icon,
+                  const std::function<void()>& triggered);
+
+} // namespace trex
