@@ -73,7 +73,13 @@ void showMessage(QtMsgType, const QMessageLogContext&, const QString& text)
 
 void printMessage(const QString& text)
 {
-    const QByteArray line = text.simplified().toUtf8() + '\n';
+    QString oneLine = text.trimmed();
+    for (QChar& letter : oneLine) { // a file's name or a peer's bytes may hold anything
+        if (letter.category() == QChar::Other_Control) {
+            letter = u' ';
+        }
+    }
+    const QByteArray line = oneLine.toUtf8() + '\n';
     std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
     std::fflush(stderr);
 }

@@ -39,16 +39,23 @@ QJsonArray toJson(const std::vector<CalibrationEntry>& entries)
     return array;
 }
 
-QString toText(const std::vector<CalibrationEntry>& entries)
+QString toText(const std::vector<CalibrationEntry>& entries, bool isWritten)
 {
-    TextTable table({Cli::tr("Channel"), Cli::tr("Input"), Cli::tr("Minimum"), Cli::tr("Neutral"),
-                     Cli::tr("Maximum"), Cli::tr("Deadband"), Cli::tr("Learned")});
+    std::vector<QString> header{Cli::tr("Channel"), Cli::tr("Input"),   Cli::tr("Minimum"),
+                                Cli::tr("Neutral"), Cli::tr("Maximum"), Cli::tr("Deadband")};
+    if (isWritten) {
+        header.push_back(Cli::tr("Learned"));
+    }
+    TextTable table(header);
     for (const auto& entry : entries) {
         const auto& [minimum, neutral, maximum, deadband] = entry.calibration;
-        table.add({QString::number(entry.channel), QString(keyOf(entry.input)),
-                   valueText(entry.input, minimum), valueText(entry.input, neutral),
-                   valueText(entry.input, maximum), valueText(entry.input, deadband),
-                   yesNo(entry.isLearned)});
+        std::vector<QString> row{QString::number(entry.channel),  QString(keyOf(entry.input)),
+                                 valueText(entry.input, minimum), valueText(entry.input, neutral),
+                                 valueText(entry.input, maximum), valueText(entry.input, deadband)};
+        if (isWritten) {
+            row.push_back(yesNo(entry.isLearned));
+        }
+        table.add(row);
     }
     return table.text();
 }

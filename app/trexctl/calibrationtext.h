@@ -18,6 +18,7 @@ struct CalibrationEntry {
 
 [[nodiscard]] QJsonObject toJson(const CalibrationEntry& entry);
 [[nodiscard]] QJsonArray toJson(const std::vector<CalibrationEntry>& entries);
-[[nodiscard]] QString toText(const std::vector<CalibrationEntry>& entries);
+/// A table; before the writing, whether a channel is learned says nothing and is left out.
+[[nodiscard]] QString toText(const std::vector<CalibrationEntry>& entries, bool isWritten = true);
 
 } // namespace trex

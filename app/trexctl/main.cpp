@@ -31,7 +31,7 @@ int run(CommandLine& commandLine, SettingsFile& settings, const OpenOptions& opt
     logWire(session.controller(), commandLine.verbosity());
     QObject::connect(&session, &Session::finished, qApp, &QCoreApplication::exit);
     QObject::connect(&session, &Session::connected, &session, [&] {
-        if (commandLine.lineOptions().port) {
+        if (true) {
             LineSettingsStore(settings).remember(options.port, options.line);
         }
     });

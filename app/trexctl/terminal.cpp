@@ -6,6 +6,8 @@
 #include <QSocketNotifier>
 #include <QString>
 
+#include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -46,8 +48,12 @@ bool readAnswer()
 
 bool confirm(const QString& question)
 {
+    // No event loop yet that could take notice: Ctrl+C ends here, with the contract's exit code.
+    const auto before = std::signal(SIGINT, [](int) { std::_Exit(exitcode::kInterrupted); });
     ask(question);
-    return readAnswer();
+    const bool isYes = readAnswer();
+    std::signal(SIGINT, before);
+    return isYes;
 }
 
 void confirmLater(const QString& question, QObject* context, std::function<void(bool)> handler)

@@ -85,7 +85,7 @@ public:
             co_await session.sleepUntil(clockNow() + kLook);
         }
         if (m_calibration->step() == Step::Neutral && !m_calibration->canContinue()) {
-            giveUp(session, m_calibration->whyNot());
+            giveUp(session, nothingWritten(m_calibration->whyNot()));
             co_return;
         }
         m_calibration->next();
@@ -101,12 +101,12 @@ public:
         m_calibration->finishExtremes();
         if (m_calibration->step() == Step::Review) {
             if (const QString reason = unlearned(); !reason.isEmpty()) {
-                giveUp(session, reason);
+                giveUp(session, nothingWritten(reason));
                 co_return;
             }
-            guide(session, toText(entries(mode.value(), 0)));
+            guide(session, toText(entries(*mode, 0), false));
             if (!m_isConfirmed && !co_await confirmed(session)) {
-                giveUp(session, Cli::tr("Not confirmed."), exitcode::kUsage);
+                giveUp(session, Cli::tr("Not confirmed. Nothing was written."), exitcode::kUsage);
                 co_return;
             }
             m_calibration->next();
@@ -197,6 +197,11 @@ private:
                 session.tell(line);
             }
         }
+    }
+
+    static QString nothingWritten(const QString& reason)
+    {
+        return Cli::tr("%1 Nothing was written; --channels chooses the channels.").arg(reason);
     }
 
     void giveUp(Session& session, const QString& reason, int exitCode = exitcode::kNoReply)

@@ -52,7 +52,7 @@ bool Languages::isAvailable(const QString& code)
 {
     const QList<Language> languages = available();
     return std::any_of(languages.begin(), languages.end(),
-                       [&code](const Language& language) { return language.code == code; });
+                       [&code](const Language& language) { return language.first == code; });
 }
 
 void Languages::use(const QString& code)

@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QTranslator>
 
+#include <utility>
+
 namespace trex {
 
 /// The languages that are built in: English, and one for each :/i18n/trex_xx.qm. GUI thread.
@@ -13,10 +15,7 @@ class Languages : public QObject {
     Q_DISABLE_COPY_MOVE(Languages)
 
 public:
-    struct Language {
-        QString code; ///< "de"
-        QString name; ///< in that language itself
-    };
+    using Language = std::pair<QString, QString>; ///< code ("de"), name in that language itself
     explicit Languages(QObject* parent = nullptr) : QObject(parent) { }
 
     [[nodiscard]] static QList<Language> available();

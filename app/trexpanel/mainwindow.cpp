@@ -44,8 +44,7 @@ MainWindow::MainWindow(PanelContext& context, const QString& theme, const QStrin
 {
     setObjectName(u"mainWindow"_s);
     setWindowTitle(tr("TReX Panel"));
-    setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks
-                   | QMainWindow::GroupedDragging);
+    setDockOptions(AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -130,12 +129,8 @@ void MainWindow::makeMenus(const QString& theme, const QString& language)
         {{u"system"_s, tr("As the system")}, {u"light"_s, tr("Light")}, {u"dark"_s, tr("Dark")}},
         theme, [this](const QString& key) { emit themeChosen(key); });
 
-    QList<std::pair<QString, QString>> names;
-    for (const auto& [code, name] : Languages::available()) {
-        names.append({code, name});
-    }
-    addChoices(*menuBar()->addMenu(tr("&Language")), u"action.language."_s, names, language,
-               [this](const QString& code) { emit languageChosen(code); });
+    addChoices(*menuBar()->addMenu(tr("&Language")), u"action.language."_s, Languages::available(),
+               language, [this](const QString& code) { emit languageChosen(code); });
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     addEntry(*help, u"about"_s, tr("About and licences"), u"info"_s,
@@ -239,8 +234,8 @@ bool MainWindow::event(QEvent* event)
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress && watched->isWindowType()) {
-        const auto* key = dynamic_cast<QKeyEvent*>(event);
-        if (key != nullptr && key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
             m_context.controller.stop(); // and the key goes on: a dialog closes by it too
         }
     }

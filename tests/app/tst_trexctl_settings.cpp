@@ -299,7 +299,7 @@ void tst_trexctl_settings::verbose_logsToStderr()
     QVERIFY(plain.err.isEmpty());
     QVERIFY(one.errLines().size() >= 4);
     QVERIFY(!one.err.contains("> 82"));
-    QVERIFY2(two.err.contains("> 82 < 72"), two.err);
+    QVERIFY2(two.err.contains("> 82  < 72"), two.err);
 }
 
 QTEST_GUILESS_MAIN(tst_trexctl_settings)

@@ -64,7 +64,10 @@ public:
         return panel.template findChild<T*>(name);
     }
 
-    [[nodiscard]] QString lastMotorPacket() const { return motorPackets.isEmpty() ? QString() : motorPackets.last(); }
+    [[nodiscard]] QString lastMotorPacket() const
+    {
+        return motorPackets.isEmpty() ? QString() : motorPackets.last();
+    }
 
     QTemporaryDir folder;
     SettingsFile file;

@@ -62,7 +62,7 @@ QString PacketEntry::meaning() const
     }
     QByteArrayView payload(record.receivedBytes);
     if (hasCrc) {
-        payload.chop(0);
+        payload.chop(1);
     }
     return u"%1 → %2"_s.arg(asked, describeReply(record.command, payload));
 }

@@ -34,6 +34,7 @@ void PacketModel::flush()
     if (m_paused || m_waiting.empty()) {
         return;
     }
+    m_digits = theme::font(1.0, true); // measured once a frame, not once a cell
     dropOldest(m_waiting.size());
     const quint64 next = m_first + m_entries.size();
     std::vector<quint64> passing;
@@ -177,7 +178,7 @@ QVariant PacketModel::data(const QModelIndex& index, int role) const
     case Qt::TextAlignmentRole:
         return QVariant::fromValue((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case Qt::FontRole:
-        return isNumber || isHex ? QVariant(theme::font(1.0, true)) : QVariant();
+        return isNumber || isHex ? QVariant(m_digits) : QVariant();
     case Qt::DecorationRole:
         return index.column() == NoteColumn && entry.record.error
             ? QVariant(theme::icon(u"warning"_s, ColourRole::Fault))

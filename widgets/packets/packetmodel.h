@@ -4,6 +4,7 @@
 #include "widgets/packets/packetentry.h"
 
 #include <QAbstractTableModel>
+#include <QFont>
 
 #include <deque>
 #include <optional>
@@ -67,6 +68,7 @@ private:
     LineSettings m_line;
     bool m_paused = false;
     QString m_filter;
+    QFont m_digits;
     PacketClass m_class = PacketClass::All;
 };
 

@@ -144,7 +144,7 @@ void PacketsPanel::setColumnWidths()
     };
     width(PacketModel::TimeColumn, u"00000.000"_s);
     width(PacketModel::SentColumn, u"00 00 00 00"_s);
-    width(PacketModel::ReceivedColumn, u"00 00 00 00 00 00"_s);
+    width(PacketModel::ReceivedColumn, u"00 00 00 00"_s);
     width(PacketModel::RoundTripColumn, u"0000.0"_s);
     m_view->horizontalHeader()->setSectionResizeMode(PacketModel::MeaningColumn,
                                                      QHeaderView::Stretch);
