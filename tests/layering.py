@@ -10,7 +10,8 @@ from pathlib import Path
 
 CODE = ("protocol", "widgets", "app")
 HEADERS_OF_THE_CODEC_THAT_THE_SIMULATOR_MAY_READ = {"parametertable.h", "quantities.h", "linesettings.h"}
-TABLES = {"commandtable.h", "parametertable.h"}
+# Tables, and one class template, which has to live in its header.
+TABLES = {"commandtable.h", "parametertable.h", "valuecolumn.h"}
 COMMAND_BYTES = ({*range(0x81, 0x88), *range(0x8D, 0x96), 0x9F, *range(0xA0, 0xA5), 0xAF}
                  | {*range(0xC0, 0xF2)})
 FACTORY_RESET_KEY = "factory-reset"  # not a value that anyone edits

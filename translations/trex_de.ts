@@ -1,4 +1,4848 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
+<context>
+    <name>Advice</name>
+    <message>
+        <source>With the serial timeout off, motors keep running if the line is lost.</source>
+        <translation>Ohne serielle Zeitüberwachung laufen die Motoren bei Leitungsausfall weiter.</translation>
+    </message>
+    <message>
+        <source>Both required and ignored: %1.</source>
+        <translation>Zugleich erforderlich und ignoriert: %1.</translation>
+    </message>
+    <message>
+        <source>Motor %1 gets %2 kHz; the TReX Jr's motor driver is rated for 10 kHz and may overheat.</source>
+        <translation>Motor %1 erhält %2 kHz; der Motortreiber des TReX Jr ist für 10 kHz ausgelegt und kann überhitzen.</translation>
+    </message>
+    <message>
+        <source>The new device number acts at once: after writing, connect again with device number %1.</source>
+        <translation>Die neue Gerätenummer wirkt sofort: nach dem Schreiben mit Gerätenummer %1 neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Pololu packets reach this controller under number %1 from then on; compact packets always do.</source>
+        <translation>Pololu-Pakete erreichen diesen Controller danach unter Nummer %1; kompakte Pakete erreichen ihn immer.</translation>
+    </message>
+    <message>
+        <source>With CRC-7, connect with polynomial %1 after the power cycle, or nothing answers.</source>
+        <translation>Bei CRC-7 nach dem Aus- und Einschalten mit Polynom %1 verbinden, sonst antwortet nichts.</translation>
+    </message>
+    <message>
+        <source>After the power cycle, connect with %1, or nothing answers.</source>
+        <translation>Nach dem Aus- und Einschalten mit %1 verbinden, sonst antwortet nichts.</translation>
+    </message>
+    <message>
+        <source>Firmware before 1.2 runs at half of %1 baud.</source>
+        <translation>Firmware vor 1.2 arbeitet mit der Hälfte von %1 Baud.</translation>
+    </message>
+    <message>
+        <source>In joint mode there are no current readings, and motor 1 commands drive both bridges.</source>
+        <translation>Im gemeinsamen Modus gibt es keine Strommesswerte, und Befehle für Motor 1 steuern beide H-Brücken.</translation>
+    </message>
+    <message>
+        <source>The inputs have a calibration of their own for RC and for analog: after the power cycle the other one is in force.</source>
+        <translation>Die Eingänge haben je eine eigene Kalibrierung für RC und für Analog: nach dem Aus- und Einschalten gilt die andere.</translation>
+    </message>
+</context>
+<context>
+    <name>Calibration</name>
+    <message>
+        <source>No valid reading came. Check the plug, the receiver and its power, or leave this channel out.</source>
+        <translation>Es kam kein gültiger Messwert. Stecker, Empfänger und dessen Versorgung prüfen oder diesen Kanal auslassen.</translation>
+    </message>
+    <message>
+        <source>It was never still. Let go of it; if it jitters by itself, look at its potentiometer or cable.</source>
+        <translation>Nie in Ruhe. Loslassen; zittert der Wert von selbst, Potentiometer oder Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>%4 % of the pulses were missing. Check the receiver, its antenna and the plug.</source>
+        <translation>%4 % der Impulse fehlten. Empfänger, dessen Antenne und Stecker prüfen.</translation>
+    </message>
+    <message>
+        <source>It did not move. Move it to both ends, or leave this channel out.</source>
+        <translation>Keine Bewegung. In beide Endlagen bewegen oder diesen Kanal auslassen.</translation>
+    </message>
+    <message>
+        <source>It moved %1 at most, and %2 to each side are needed. Move it further, or widen the travel in the transmitter.</source>
+        <translation>Höchstens um %1 bewegt; nötig sind %2 nach jeder Seite. Weiter bewegen oder den Weg im Sender vergrößern.</translation>
+    </message>
+    <message>
+        <source>It was moved one way only. Move it to both ends.</source>
+        <translation>Nur in eine Richtung bewegt. In beide Endlagen bewegen.</translation>
+    </message>
+    <message>
+        <source>It is too noisy (%3). Look at its potentiometer, cable or receiver.</source>
+        <translation>Zu starkes Rauschen (%3). Potentiometer, Kabel oder Empfänger prüfen.</translation>
+    </message>
+    <message>
+        <source>It rests at one end, as levers and switches do; the other end is set equally far away.</source>
+        <translation>Ruht in einer Endlage, wie es Hebel und Schalter tun; die andere Endlage wird gleich weit entfernt gesetzt.</translation>
+    </message>
+    <message>
+        <source>%4 % of the pulses were missing.</source>
+        <translation>%4 % der Impulse fehlten.</translation>
+    </message>
+    <message>
+        <source>It is somewhat noisy (%3); the deadband is wider for it.</source>
+        <translation>Etwas Rauschen (%3); das Totband ist deshalb breiter.</translation>
+    </message>
+    <message>
+        <source>One side moves much less than the other, so that its control is coarser.</source>
+        <translation>Eine Seite hat viel weniger Weg als die andere und steuert deshalb gröber.</translation>
+    </message>
+    <message>
+        <source>An end lies at the limit of what can be read; part of the travel may be cut off.</source>
+        <translation>Eine Endlage liegt an der Grenze des Messbereichs; ein Teil des Weges kann abgeschnitten sein.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 V</source>
+        <translation>%1 V</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>brauchbar</translation>
+    </message>
+    <message>
+        <source>do again</source>
+        <translation>wiederholen</translation>
+    </message>
+    <message>
+        <source>Quiet at rest, full travel both ways.</source>
+        <translation>Ruhig in Neutral, voller Weg nach beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>Samples: %1, missed: %2 (%3 %)</source>
+        <translation>Messwerte: %1, fehlend: %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>Noise at rest: σ %1</source>
+        <translation>Rauschen in Ruhe: σ %1</translation>
+    </message>
+    <message>
+        <source>Travel: %1 down, %2 up; symmetry %3 %</source>
+        <translation>Weg: %1 nach unten, %2 nach oben; Symmetrie %3 %</translation>
+    </message>
+    <message>
+        <source>Deadband: ±%1 (%2 σ, at least %3)</source>
+        <translation>Totband: ±%1 (%2 σ, mindestens %3)</translation>
+    </message>
+    <message>
+        <source>Ends pulled in by %1 and %2, so that the full stick gives 127</source>
+        <translation>Endlagen um %1 und %2 eingerückt, damit voller Ausschlag 127 ergibt</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>left as it is</source>
+        <translation>bleibt so</translation>
+    </message>
+    <message>
+        <source>still</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>bewegt</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>um %1</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>%1 s more</source>
+        <translation>noch %1 s</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>down %1 · up %2</source>
+        <translation>unten %1 · oben %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>hold on</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>in Bewegung</translation>
+    </message>
+    <message>
+        <source>already so</source>
+        <translation>schon so</translation>
+    </message>
+    <message>
+        <source>writing…</source>
+        <translation>schreibt…</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>geschrieben</translation>
+    </message>
+    <message>
+        <source>Read back as written.</source>
+        <translation>Zurückgelesen wie geschrieben.</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>nächster Wert</translation>
+    </message>
+    <message>
+        <source>The nearest values that this controller can take.</source>
+        <translation>Die nächsten Werte, die dieser Controller annehmen kann.</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>misslungen</translation>
+    </message>
+    <message>
+        <source>as before</source>
+        <translation>wie zuvor</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Neutral</source>
+        <translation>Neutral</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Endlagen</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Choose the channels to calibrate, switch the transmitter on, then start.</source>
+        <translation>Zu kalibrierende Kanäle wählen, Sender einschalten, dann starten.</translation>
+    </message>
+    <message>
+        <source>The neutrals are found. Go on.</source>
+        <translation>Neutralstellungen gefunden. Weiter.</translation>
+    </message>
+    <message>
+        <source>Let go of all sticks and levers, and hold still.</source>
+        <translation>Alle Knüppel und Hebel loslassen und nichts bewegen.</translation>
+    </message>
+    <message>
+        <source>All ends are found. Go on, or move further.</source>
+        <translation>Alle Endlagen gefunden. Weiter, oder noch mehr ausschlagen.</translation>
+    </message>
+    <message>
+        <source>Move every stick, lever and switch slowly to both ends, and hold it there for a moment.</source>
+        <translation>Jeden Knüppel, Hebel und Schalter langsam in beide Endlagen bewegen und dort einen Moment halten.</translation>
+    </message>
+    <message>
+        <source>Compare the new numbers with those of before. Nothing has been written yet.</source>
+        <translation>Die neuen Zahlen mit den bisherigen vergleichen. Noch ist nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Writing, and reading back what was written…</source>
+        <translation>Schreiben und Zurücklesen des Geschriebenen…</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>RC</source>
+        <translation>RC</translation>
+    </message>
+    <message>
+        <source>analog</source>
+        <translation>Analog</translation>
+    </message>
+    <message>
+        <source>%1 mode: the sticks move the motors, and nothing can be written. Better use serial mode: power off, mode jumper off, power on.</source>
+        <translation>%1-Modus: die Knüppel bewegen die Motoren, und nichts kann geschrieben werden. Besser den seriellen Modus verwenden: ausschalten, Modus-Steckbrücke abziehen, einschalten.</translation>
+    </message>
+    <message>
+        <source>Serial mode: the sticks do not move the motors. The RC calibration is set; the analog one stays.</source>
+        <translation>Serieller Modus: die Knüppel bewegen die Motoren nicht. Die RC-Kalibrierung wird gesetzt; die analoge bleibt.</translation>
+    </message>
+    <message>
+        <source>Serial mode: the sticks do not move the motors. The analog calibration is set; the RC one stays.</source>
+        <translation>Serieller Modus: die Knüppel bewegen die Motoren nicht. Die analoge Kalibrierung wird gesetzt; die für RC bleibt.</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>no readings</source>
+        <translation>keine Werte</translation>
+    </message>
+    <message>
+        <source>no pulse</source>
+        <translation>kein Impuls</translation>
+    </message>
+    <message>
+        <source>no reading</source>
+        <translation>kein Wert</translation>
+    </message>
+</context>
+<context>
+    <name>ChannelsPanel</name>
+    <message>
+        <source>Motor 1, or turn</source>
+        <translation>Motor 1 oder Lenken</translation>
+    </message>
+    <message>
+        <source>Motor 2, or forward</source>
+        <translation>Motor 2 oder Fahren</translation>
+    </message>
+    <message>
+        <source>Auxiliary motor</source>
+        <translation>Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>Flip switch</source>
+        <translation>Überkopfschalter</translation>
+    </message>
+    <message>
+        <source>Serial override</source>
+        <translation>Serielle Übernahme</translation>
+    </message>
+    <message>
+        <source>Drives motor 1; with the mix jumper on, steers both motors.</source>
+        <translation>Steuert Motor 1; mit Mix-Steckbrücke lenkt er beide Motoren.</translation>
+    </message>
+    <message>
+        <source>Drives motor 2; with the mix jumper on, drives both motors.</source>
+        <translation>Steuert Motor 2; mit Mix-Steckbrücke treibt er beide Motoren an.</translation>
+    </message>
+    <message>
+        <source>Speed of the auxiliary motor, in one direction.</source>
+        <translation>Drehzahl des Hilfsmotors, in einer Richtung.</translation>
+    </message>
+    <message>
+        <source>Low: the robot is upside down; motors and directions swap.</source>
+        <translation>Niedrig: der Roboter liegt auf dem Kopf; Motoren und Richtungen werden getauscht.</translation>
+    </message>
+    <message>
+        <source>Low: serial commands drive the motors instead of the channels.</source>
+        <translation>Niedrig: serielle Befehle steuern die Motoren anstelle der Kanäle.</translation>
+    </message>
+</context>
+<context>
+    <name>Cli</name>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Neutral</source>
+        <translation>Neutral</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Deadband</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>Learned</source>
+        <translation>Gelernt</translation>
+    </message>
+    <message>
+        <source>Control of Pololu TReX Jr and TReX motor controllers.</source>
+        <translation>Steuerung der Motorcontroller Pololu TReX Jr und TReX.</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>this help; after a command, its help</source>
+        <translation>diese Hilfe; nach einem Befehl dessen Hilfe</translation>
+    </message>
+    <message>
+        <source>JSON on stdout instead of text</source>
+        <translation>JSON statt Text auf stdout</translation>
+    </message>
+    <message>
+        <source>log transactions to stderr; -vv the bytes, too</source>
+        <translation>Transaktionen auf stderr protokollieren; -vv auch die Bytes</translation>
+    </message>
+    <message>
+        <source>Options go before the command. Numbers may be decimal or 0x hex.
+Exit: 0 done, 1 refused, 2 usage, 3 no reply, 4 port, 5 read-back differs, 130 interrupted.</source>
+        <translation>Optionen stehen vor dem Befehl. Zahlen dezimal oder hexadezimal mit 0x.
+Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurückgelesenes weicht ab, 130 unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>There is no command '%1'</source>
+        <translation>Es gibt keinen Befehl '%1'</translation>
+    </message>
+    <message>
+        <source>No command given</source>
+        <translation>Kein Befehl angegeben</translation>
+    </message>
+    <message>
+        <source>%1; nothing was sent. See: trexctl%2 --help</source>
+        <translation>%1; nichts wurde gesendet. Siehe: trexctl%2 --help</translation>
+    </message>
+    <message>
+        <source>RC mode</source>
+        <translation>RC-Modus</translation>
+    </message>
+    <message>
+        <source>analog mode</source>
+        <translation>Analogmodus</translation>
+    </message>
+    <message>
+        <source>serial mode, RC inputs</source>
+        <translation>serieller Modus, RC-Eingänge</translation>
+    </message>
+    <message>
+        <source>serial mode, analog inputs</source>
+        <translation>serieller Modus, Analogeingänge</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>about %1 A</source>
+        <translation>etwa %1 A</translation>
+    </message>
+    <message>
+        <source>'%1' is no value for %2 (%3). Nothing was sent; see: trexctl param list</source>
+        <translation>'%1' ist kein Wert für %2 (%3). Nichts wurde gesendet; siehe: trexctl param list</translation>
+    </message>
+    <message>
+        <source>There is no parameter '%1'. Nothing was sent; trexctl param list shows all.</source>
+        <translation>Es gibt keinen Parameter '%1'. Nichts wurde gesendet; trexctl param list zeigt alle.</translation>
+    </message>
+    <message>
+        <source>%1 is no value to read or write. Nothing was sent; its command is: trexctl param reset --yes</source>
+        <translation>%1 ist kein Wert zum Lesen oder Schreiben. Nichts wurde gesendet; der Befehl dafür: trexctl param reset --yes</translation>
+    </message>
+    <message>
+        <source>the answer to standard output</source>
+        <translation>die Antwort auf die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>the controller (%1)</source>
+        <translation>Controller (%1)</translation>
+    </message>
+    <message>
+        <source>a stream until SIGINT (Ctrl+C) or --duration</source>
+        <translation>fortlaufend bis SIGINT (Strg+C) oder --duration</translation>
+    </message>
+    <message>
+        <source>samples a second, default 20; implies --watch</source>
+        <translation>Messwerte je Sekunde, Standard 20; schließt --watch ein</translation>
+    </message>
+    <message>
+        <source>seconds to watch; implies --watch</source>
+        <translation>Dauer in Sekunden; schließt --watch ein</translation>
+    </message>
+    <message>
+        <source>%1 samples failed and are left out.</source>
+        <translation>%1 Messwerte sind ausgefallen und fehlen.</translation>
+    </message>
+    <message>
+        <source>[y/N]</source>
+        <translation>[ja/N]</translation>
+    </message>
+    <message>
+        <source>channel 1 to 5; default: all</source>
+        <translation>Kanal 1 bis 5; Standard: alle</translation>
+    </message>
+    <message>
+        <source>channel 1 to 5</source>
+        <translation>Kanal 1 bis 5</translation>
+    </message>
+    <message>
+        <source>raw: 0.4 µs or 10-bit counts, by the input set in force</source>
+        <translation>Rohwert: 0.4 µs oder 10-Bit-Stufen, je nach geltenden Eingängen</translation>
+    </message>
+    <message>
+        <source>MIN to MAX</source>
+        <translation>MIN bis MAX</translation>
+    </message>
+    <message>
+        <source>above MIN, at most 16383</source>
+        <translation>über MIN, höchstens 16383</translation>
+    </message>
+    <message>
+        <source>on both sides of neutral</source>
+        <translation>zu beiden Seiten von Neutral</translation>
+    </message>
+    <message>
+        <source>This controller joins calibration bytes as low + 256 × high: the nearest values that can be sent that way are written.</source>
+        <translation>Dieser Controller setzt Kalibrierungsbytes als niederes + 256 × höheres zusammen: geschrieben werden die nächsten Werte, die sich so senden lassen.</translation>
+    </message>
+    <message>
+        <source>channels: bit 0 is channel 1; default 0x1F, all</source>
+        <translation>Kanäle: Bit 0 ist Kanal 1; Standard 0x1F, alle</translation>
+    </message>
+    <message>
+        <source>no pulse</source>
+        <translation>kein Impuls</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Rohwert</translation>
+    </message>
+    <message>
+        <source>Remapped</source>
+        <translation>Umgerechnet</translation>
+    </message>
+    <message>
+        <source>configuration file (JSON)</source>
+        <translation>Konfigurationsdatei (JSON)</translation>
+    </message>
+    <message>
+        <source>Nothing differs.</source>
+        <translation>Keine Unterschiede.</translation>
+    </message>
+    <message>
+        <source>%1 parameters and the calibrations in force are saved to %2.</source>
+        <translation>%1 Parameter und die geltenden Kalibrierungen sind in %2 gespeichert.</translation>
+    </message>
+    <message>
+        <source>write nothing; show the changes and their packets</source>
+        <translation>nichts schreiben; die Änderungen und ihre Pakete zeigen</translation>
+    </message>
+    <message>
+        <source>Some of it acts after the controller's power is switched off and on.</source>
+        <translation>Ein Teil davon wirkt erst nach Aus- und Einschalten des Controllers.</translation>
+    </message>
+    <message>
+        <source>write the samples to a file, too, one row each</source>
+        <translation>die Messwerte auch in eine Datei schreiben, je eine Zeile</translation>
+    </message>
+    <message>
+        <source>Joint motor mode: the controller measures no currents while both H-bridges drive one motor.</source>
+        <translation>Gemeinsamer Motormodus: der Controller misst keine Ströme, solange beide H-Brücken einen Motor treiben.</translation>
+    </message>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>Pololu packets to device %1</source>
+        <translation>Pololu-Pakete an Gerät %1</translation>
+    </message>
+    <message>
+        <source>compact packets</source>
+        <translation>kompakte Pakete</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Controller</translation>
+    </message>
+    <message>
+        <source>%1, firmware %2 (%3)</source>
+        <translation>%1, Firmware %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>serial is in control</source>
+        <translation>seriell gesteuert</translation>
+    </message>
+    <message>
+        <source>the channels are in control</source>
+        <translation>von den Kanälen gesteuert</translation>
+    </message>
+    <message>
+        <source>Learned channels</source>
+        <translation>Gelernte Kanäle</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Leitung</translation>
+    </message>
+    <message>
+        <source>%1 baud, error detection %2, %3, %4</source>
+        <translation>%1 Baud, Fehlererkennung %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>with echo</source>
+        <translation>mit Echo</translation>
+    </message>
+    <message>
+        <source>no echo</source>
+        <translation>ohne Echo</translation>
+    </message>
+    <message>
+        <source>motor 1 over its current limit</source>
+        <translation>Überstrom Motor 1</translation>
+    </message>
+    <message>
+        <source>motor 1 driver fault</source>
+        <translation>Treiberstörung Motor 1</translation>
+    </message>
+    <message>
+        <source>motor 2 over its current limit</source>
+        <translation>Überstrom Motor 2</translation>
+    </message>
+    <message>
+        <source>motor 2 driver fault</source>
+        <translation>Treiberstörung Motor 2</translation>
+    </message>
+    <message>
+        <source>UART error</source>
+        <translation>UART-Fehler</translation>
+    </message>
+    <message>
+        <source>serial timeout</source>
+        <translation>serielle Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>packet format</source>
+        <translation>Paketformat</translation>
+    </message>
+    <message>
+        <source>CRC</source>
+        <translation>CRC</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>data overrun</source>
+        <translation>Datenüberlauf</translation>
+    </message>
+    <message>
+        <source>parity</source>
+        <translation>Parität</translation>
+    </message>
+    <message>
+        <source>read buffer overrun</source>
+        <translation>Lesepufferüberlauf</translation>
+    </message>
+    <message>
+        <source>send buffer overrun</source>
+        <translation>Sendepufferüberlauf</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>UART errors</source>
+        <translation>UART-Fehler</translation>
+    </message>
+    <message>
+        <source>A reply was lost on the line and asked for again: bits that it carried may be missing here.</source>
+        <translation>Eine Antwort ging auf der Leitung verloren und wurde erneut angefordert: Bits, die sie trug, können hier fehlen.</translation>
+    </message>
+    <message>
+        <source>nothing latched</source>
+        <translation>nichts gespeichert</translation>
+    </message>
+    <message>
+        <source>such as 1,2; default: all five</source>
+        <translation>etwa 1,2; Standard: alle fünf</translation>
+    </message>
+    <message>
+        <source>rest needed for neutral; default 2</source>
+        <translation>nötige Ruhe für Neutral; Standard 2</translation>
+    </message>
+    <message>
+        <source>least time for the extremes; default 6</source>
+        <translation>Mindestzeit für die Endlagen; Standard 6</translation>
+    </message>
+    <message>
+        <source>ask nothing: start at once, and write at the end</source>
+        <translation>nichts fragen: sofort beginnen und am Ende schreiben</translation>
+    </message>
+    <message>
+        <source>A calibration asks before it writes: use a terminal, or --yes. Nothing was sent.</source>
+        <translation>Eine Kalibrierung fragt vor dem Schreiben nach: ein Terminal oder --yes verwenden. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Neutral: leave all sticks and switches at rest and let go.</source>
+        <translation>Neutral: alle Knüppel und Schalter in Ruhestellung lassen und loslassen.</translation>
+    </message>
+    <message>
+        <source>Extremes: move every stick and switch to all its ends, a few times.</source>
+        <translation>Endlagen: jeden Knüppel und Schalter einige Male in alle Endlagen bewegen.</translation>
+    </message>
+    <message>
+        <source>Not confirmed. Nothing was written.</source>
+        <translation>Nicht bestätigt. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Write these calibrations to the controller?</source>
+        <translation>Diese Kalibrierungen in den Controller schreiben?</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was written; --channels chooses the channels.</source>
+        <translation>%1 Nichts wurde geschrieben; --channels wählt die Kanäle.</translation>
+    </message>
+    <message>
+        <source>Channel %1: %2</source>
+        <translation>Kanal %1: %2</translation>
+    </message>
+    <message>
+        <source>Aux</source>
+        <translation>Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>The command was sent, but nobody confirms it: %1</source>
+        <translation>Der Befehl wurde gesendet, aber niemand bestätigt ihn: %1</translation>
+    </message>
+    <message>
+        <source>1, 2, both or aux</source>
+        <translation>1, 2, both oder aux</translation>
+    </message>
+    <message>
+        <source>set, accelerate or brake</source>
+        <translation>set, accelerate oder brake</translation>
+    </message>
+    <message>
+        <source>-127 to 127 (aux 0 to 127); braking duty 0 to 127; both: one for both, or two</source>
+        <translation>-127 bis 127 (aux 0 bis 127); Bremsgrad 0 bis 127; both: einer für beide oder zwei</translation>
+    </message>
+    <message>
+        <source>Serial does not control the motors now: the command waits in the controller and acts as soon as serial override begins.</source>
+        <translation>Die Motoren werden jetzt nicht seriell gesteuert: der Befehl wartet im Controller und wirkt, sobald die serielle Übernahme beginnt.</translation>
+    </message>
+    <message>
+        <source>There is no motor '%1': give 1, 2, both or aux. Nothing was sent.</source>
+        <translation>Es gibt keinen Motor '%1': 1, 2, both oder aux angeben. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>The auxiliary motor cannot brake: set it to 0 instead. Nothing was sent.</source>
+        <translation>Der Hilfsmotor kann nicht bremsen: stattdessen auf 0 setzen. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>A motor cannot '%1': give set, accelerate or brake. Nothing was sent.</source>
+        <translation>Ein Motor kann nicht '%1': set, accelerate oder brake angeben. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Two numbers are for 'motor both' only. Nothing was sent.</source>
+        <translation>Zwei Zahlen gelten nur für 'motor both'. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>motors 1 and 2 at full brake duty instead of coasting</source>
+        <translation>Motoren 1 und 2 mit vollem Bremsgrad statt auslaufend</translation>
+    </message>
+    <message>
+        <source>Serial does not control the motors now: the channels may still drive them. The stop acts as soon as serial override begins.</source>
+        <translation>Die Motoren werden jetzt nicht seriell gesteuert: die Kanäle können sie weiter antreiben. Der Stopp wirkt, sobald die serielle Übernahme beginnt.</translation>
+    </message>
+    <message>
+        <source>%1 (a guess)</source>
+        <translation>%1 (vermutet)</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>%1, after a power cycle</source>
+        <translation>%1, nach Aus- und Einschalten</translation>
+    </message>
+    <message>
+        <source>key or number</source>
+        <translation>Schlüssel oder Nummer</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>%1 (raw %2)</source>
+        <translation>%1 (Rohwert %2)</translation>
+    </message>
+    <message>
+        <source>Acts</source>
+        <translation>Wirkt</translation>
+    </message>
+    <message>
+        <source>after the next power cycle: not in force yet</source>
+        <translation>nach dem nächsten Aus- und Einschalten: gilt noch nicht</translation>
+    </message>
+    <message>
+        <source>after a power cycle</source>
+        <translation>nach Aus- und Einschalten</translation>
+    </message>
+    <message>
+        <source>It acts after the controller's power is switched off and on.</source>
+        <translation>Wirkt erst nach Aus- und Einschalten des Controllers.</translation>
+    </message>
+    <message>
+        <source>raw, or with its unit: 500ms, 2.4A</source>
+        <translation>Rohwert oder mit Einheit: 500ms, 2.4A</translation>
+    </message>
+    <message>
+        <source>do not read it back</source>
+        <translation>nicht zurücklesen</translation>
+    </message>
+    <message>
+        <source>, verified</source>
+        <translation>, geprüft</translation>
+    </message>
+    <message>
+        <source>%1 is between two steps: the nearest is %2.</source>
+        <translation>%1 liegt zwischen zwei Stufen: die nächste ist %2.</translation>
+    </message>
+    <message>
+        <source>do not ask</source>
+        <translation>nicht nachfragen</translation>
+    </message>
+    <message>
+        <source>A factory reset needs --yes where nobody can be asked. Nothing was sent.</source>
+        <translation>Zurücksetzen auf Werkseinstellungen erfordert ohne Rückfrage --yes. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Reset all parameters of the controller on %1 to factory defaults? Calibrations stay.</source>
+        <translation>Alle Parameter des Controllers an %1 auf Werkseinstellungen zurücksetzen? Kalibrierungen bleiben.</translation>
+    </message>
+    <message>
+        <source>Not confirmed. Nothing was sent.</source>
+        <translation>Nicht bestätigt. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>All parameters are reset to factory defaults.</source>
+        <translation>Alle Parameter sind auf Werkseinstellungen zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Manufacturer</source>
+        <translation>Hersteller</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>USB</source>
+        <translation>USB</translation>
+    </message>
+    <message>
+        <source>There is no serial port. Plug in the adapter, or use --port sim: for the built-in simulator.</source>
+        <translation>Kein serieller Port vorhanden. Adapter einstecken oder --port sim: für den eingebauten Simulator verwenden.</translation>
+    </message>
+    <message>
+        <source>go on after the first, and ask all 128 device numbers</source>
+        <translation>nach dem ersten weitersuchen und alle 128 Gerätenummern abfragen</translation>
+    </message>
+    <message>
+        <source>Baud</source>
+        <translation>Baud</translation>
+    </message>
+    <message>
+        <source>Error detection</source>
+        <translation>Fehlererkennung</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Stoppbits</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Echo</source>
+        <translation>Echo</translation>
+    </message>
+    <message>
+        <source>bytes in hex: 861F, or 86 1F</source>
+        <translation>Bytes in Hex: 861F oder 86 1F</translation>
+    </message>
+    <message>
+        <source>bytes to wait for, without CRC byte; default: as the command says</source>
+        <translation>erwartete Bytes, ohne CRC-Byte; Standard: wie im Befehl festgelegt</translation>
+    </message>
+    <message>
+        <source>as a packet of the chosen form with its CRC: command byte, data</source>
+        <translation>als Paket der gewählten Form mit CRC: Befehlsbyte, Daten</translation>
+    </message>
+    <message>
+        <source>'%1' is not bytes in hex, such as 861F. Nothing was sent.</source>
+        <translation>'%1' sind keine Bytes in Hex, wie etwa 861F. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Gesendet</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Empfangen</translation>
+    </message>
+    <message>
+        <source>A packet is a command byte of 80 or more and data bytes below 80. Nothing was sent.</source>
+        <translation>Ein Paket besteht aus einem Befehlsbyte ab 80 und Datenbytes unter 80. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>serve on a pseudo-terminal with this link to it (the default, without a link)</source>
+        <translation>an einem Pseudoterminal mit diesem Link darauf bereitstellen (Standard, ohne Link)</translation>
+    </message>
+    <message>
+        <source>serve on 127.0.0.1:PORT; 0 takes a free one</source>
+        <translation>an 127.0.0.1:PORT bereitstellen; 0 nimmt einen freien</translation>
+    </message>
+    <message>
+        <source>jr (default) or trex</source>
+        <translation>jr (Standard) oder trex</translation>
+    </message>
+    <message>
+        <source>1.0 to 1.3, default 1.2</source>
+        <translation>1.0 bis 1.3, Standard 1.2</translation>
+    </message>
+    <message>
+        <source>mode jumper: rc, analog or serial (default)</source>
+        <translation>Modus-Steckbrücke: rc, analog oder serial (Standard)</translation>
+    </message>
+    <message>
+        <source>as stored in the controller, default 19200</source>
+        <translation>wie im Controller gespeichert, Standard 19200</translation>
+    </message>
+    <message>
+        <source>none (default), even, odd or crc7</source>
+        <translation>none (Standard), even, odd oder crc7</translation>
+    </message>
+    <message>
+        <source>8 bits, top bit set; default 0x89</source>
+        <translation>8 Bit, oberstes Bit gesetzt; Standard 0x89</translation>
+    </message>
+    <message>
+        <source>1 (default) or 2</source>
+        <translation>1 (Standard) oder 2</translation>
+    </message>
+    <message>
+        <source>device number, default 7; several are several controllers on one line</source>
+        <translation>Gerätenummer, Standard 7; mehrere sind mehrere Controller an einer Leitung</translation>
+    </message>
+    <message>
+        <source>keeps the EEPROM; starting again with it is a power cycle</source>
+        <translation>bewahrt das EEPROM; ein neuer Start damit ist ein Aus- und Einschalten</translation>
+    </message>
+    <message>
+        <source>of faults, jitter and noise; default 1</source>
+        <translation>für Störungen, Jitter und Rauschen; Standard 1</translation>
+    </message>
+    <message>
+        <source>a parameter of a fresh EEPROM, raw</source>
+        <translation>ein Parameter eines neuen EEPROM, als Rohwert</translation>
+    </message>
+    <message>
+        <source>calibration-bytes=8, null-command=error, unknown-parameter=ff, serial-timeout=off, safe-start=on, motor-reply=ff, invalid-after=150</source>
+        <translation>calibration-bytes=8, null-command=error, unknown-parameter=ff, serial-timeout=off, safe-start=on, motor-reply=ff, invalid-after=150</translation>
+    </message>
+    <message>
+        <source>drop, corrupt, duplicate (chance a byte), delay (ms), garbage (bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s)</source>
+        <translation>drop, corrupt, duplicate (Wahrscheinlichkeit je Byte), delay (ms), garbage (Bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s)</translation>
+    </message>
+    <message>
+        <source>channel signals and events (JSON)</source>
+        <translation>Kanalsignale und Ereignisse (JSON)</translation>
+    </message>
+    <message>
+        <source>virtual seconds a real second, default 1</source>
+        <translation>virtuelle Sekunden je reale Sekunde, Standard 1</translation>
+    </message>
+    <message>
+        <source>packets heard and motor outputs, as JSON Lines</source>
+        <translation>empfangene Pakete und Motorausgänge, als JSON Lines</translation>
+    </message>
+    <message>
+        <source>bytes take their time on the wire</source>
+        <translation>Bytes brauchen ihre Zeit auf der Leitung</translation>
+    </message>
+    <message>
+        <source>RS-232 wiring: the host hears itself</source>
+        <translation>RS-232-Verdrahtung: der Host hört sich selbst</translation>
+    </message>
+    <message>
+        <source>mix jumper</source>
+        <translation>Mix-Steckbrücke</translation>
+    </message>
+    <message>
+        <source>Find and identify</source>
+        <translation>Suchen und erkennen</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Beobachten</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>Einrichten</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Motoren steuern</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>serial ports present</source>
+        <translation>vorhandene serielle Ports</translation>
+    </message>
+    <message>
+        <source>find controllers on --port, whatever their line settings</source>
+        <translation>Controller an --port finden, bei beliebigen Leitungseinstellungen</translation>
+    </message>
+    <message>
+        <source>signature, mode, who controls the motors, learned channels</source>
+        <translation>Signatur, Modus, wer die Motoren steuert, gelernte Kanäle</translation>
+    </message>
+    <message>
+        <source>status byte and UART error byte; reading clears both in the controller</source>
+        <translation>Statusbyte und UART-Fehlerbyte; das Lesen löscht beide im Controller</translation>
+    </message>
+    <message>
+        <source>raw and remapped inputs, once or as a stream</source>
+        <translation>rohe und umgerechnete Eingänge, einmal oder fortlaufend</translation>
+    </message>
+    <message>
+        <source>motor currents, once or as a stream</source>
+        <translation>Motorströme, einmal oder fortlaufend</translation>
+    </message>
+    <message>
+        <source>calibrations of the input set in force</source>
+        <translation>Kalibrierungen der geltenden Eingänge</translation>
+    </message>
+    <message>
+        <source>write one channel's calibration and read it back</source>
+        <translation>Kalibrierung eines Kanals schreiben und zurücklesen</translation>
+    </message>
+    <message>
+        <source>guided: rest, move to the extremes, confirm, write</source>
+        <translation>geführt: Ruhe, in die Endlagen bewegen, bestätigen, schreiben</translation>
+    </message>
+    <message>
+        <source>all configuration parameters</source>
+        <translation>alle Konfigurationsparameter</translation>
+    </message>
+    <message>
+        <source>one parameter, by key or number</source>
+        <translation>ein Parameter, nach Schlüssel oder Nummer</translation>
+    </message>
+    <message>
+        <source>write one parameter and read it back</source>
+        <translation>einen Parameter schreiben und zurücklesen</translation>
+    </message>
+    <message>
+        <source>all parameters to factory defaults</source>
+        <translation>alle Parameter auf Werkseinstellungen</translation>
+    </message>
+    <message>
+        <source>all parameters and calibrations in force to a JSON file</source>
+        <translation>alle Parameter und geltenden Kalibrierungen in eine JSON-Datei speichern</translation>
+    </message>
+    <message>
+        <source>write what differs from a file; puts all back when one is refused</source>
+        <translation>schreiben, was von einer Datei abweicht; stellt alles wieder her, wenn etwas abgelehnt wird</translation>
+    </message>
+    <message>
+        <source>what differs between the controller and a file</source>
+        <translation>was zwischen Controller und Datei verschieden ist</translation>
+    </message>
+    <message>
+        <source>set, accelerate or brake motor 1, 2, both or aux; it keeps running</source>
+        <translation>Motor 1, 2, both oder aux setzen, beschleunigen oder bremsen; er läuft weiter</translation>
+    </message>
+    <message>
+        <source>all three motors to speed 0 now, or 1 and 2 to full brake</source>
+        <translation>alle drei Motoren sofort auf Drehzahl 0, oder 1 und 2 voll bremsen</translation>
+    </message>
+    <message>
+        <source>send bytes as given, or framed as a packet</source>
+        <translation>Bytes wie angegeben oder als Paket senden</translation>
+    </message>
+    <message>
+        <source>a simulated controller that other programs can open</source>
+        <translation>ein simulierter Controller, den andere Programme öffnen können</translation>
+    </message>
+    <message>
+        <source>channel calibrations: get, set, learn</source>
+        <translation>Kanalkalibrierungen: get, set, learn</translation>
+    </message>
+    <message>
+        <source>configuration parameters: list, get, set, reset</source>
+        <translation>Konfigurationsparameter: list, get, set, reset</translation>
+    </message>
+    <message>
+        <source>whole configurations as files: save, load, diff</source>
+        <translation>ganze Konfigurationen als Dateien: save, load, diff</translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>Pololu packet</source>
+        <translation>Pololu-Paket</translation>
+    </message>
+    <message>
+        <source>Starts a packet for one device on a shared line: device number, then the command with its top bit cleared.</source>
+        <translation>Beginnt ein Paket für ein Gerät an einer gemeinsamen Leitung: Gerätenummer, dann der Befehl mit gelöschtem obersten Bit.</translation>
+    </message>
+    <message>
+        <source>Get signature</source>
+        <translation>Signatur lesen</translation>
+    </message>
+    <message>
+        <source>Product name and firmware version: nine bytes from a TReX Jr, seven from a TReX.</source>
+        <translation>Produktname und Firmware-Version: neun Bytes von einem TReX Jr, sieben von einem TReX.</translation>
+    </message>
+    <message>
+        <source>Get mode</source>
+        <translation>Modus lesen</translation>
+    </message>
+    <message>
+        <source>Mode set by the mode jumper: R RC, A analog, r serial with RC inputs, a serial with analog inputs.</source>
+        <translation>Von der Modus-Steckbrücke bestimmter Modus: R RC, A analog, r seriell mit RC-Eingängen, a seriell mit Analogeingängen.</translation>
+    </message>
+    <message>
+        <source>Does serial control the motors?</source>
+        <translation>Werden die Motoren seriell gesteuert?</translation>
+    </message>
+    <message>
+        <source>1 in serial mode or while channel 5 overrides, else 0.</source>
+        <translation>1 im seriellen Modus oder während der Übernahme durch Kanal 5, sonst 0.</translation>
+    </message>
+    <message>
+        <source>Get status byte</source>
+        <translation>Statusbyte lesen</translation>
+    </message>
+    <message>
+        <source>Faults and over-current of both motors, UART error. Reading clears the latched bits in the controller.</source>
+        <translation>Störungen und Überstrom beider Motoren, UART-Fehler. Das Lesen löscht die gespeicherten Bits im Controller.</translation>
+    </message>
+    <message>
+        <source>Get UART error byte</source>
+        <translation>UART-Fehlerbyte lesen</translation>
+    </message>
+    <message>
+        <source>What was wrong on the serial line. Reading clears the latched bits in the controller.</source>
+        <translation>Was auf der seriellen Leitung falsch war. Das Lesen löscht die gespeicherten Bits im Controller.</translation>
+    </message>
+    <message>
+        <source>Get raw channel values</source>
+        <translation>Rohe Kanalwerte lesen</translation>
+    </message>
+    <message>
+        <source>Inputs as measured: pulse widths of 0.4 µs (0xFFFF is no valid pulse) or 10-bit voltages.</source>
+        <translation>Eingänge wie gemessen: Impulsbreiten zu 0.4 µs (0xFFFF ist kein gültiger Impuls) oder 10-Bit-Spannungen.</translation>
+    </message>
+    <message>
+        <source>Get remapped channel values</source>
+        <translation>Umgerechnete Kanalwerte lesen</translation>
+    </message>
+    <message>
+        <source>Inputs after calibration, reversal, curve, mix and flip: what the motors would be told.</source>
+        <translation>Eingänge nach Kalibrierung, Umkehr, Kurve, Mischung und Überkopftausch: was den Motoren vorgegeben würde.</translation>
+    </message>
+    <message>
+        <source>Get motor 1 current</source>
+        <translation>Strom von Motor 1 lesen</translation>
+    </message>
+    <message>
+        <source>Averaged current, 40 mA a unit on a TReX Jr. Independent motor mode only.</source>
+        <translation>Gemittelter Strom, 40 mA je Einheit beim TReX Jr. Nur im unabhängigen Motormodus.</translation>
+    </message>
+    <message>
+        <source>Get motor 2 current</source>
+        <translation>Strom von Motor 2 lesen</translation>
+    </message>
+    <message>
+        <source>Get motor currents</source>
+        <translation>Motorströme lesen</translation>
+    </message>
+    <message>
+        <source>Currents of motor 1 and motor 2 in one reply.</source>
+        <translation>Ströme von Motor 1 und Motor 2 in einer Antwort.</translation>
+    </message>
+    <message>
+        <source>Get channel calibration</source>
+        <translation>Kanalkalibrierung lesen</translation>
+    </message>
+    <message>
+        <source>Minimum, neutral, maximum and deadband of one channel, of the input set in force.</source>
+        <translation>Minimum, Neutral, Maximum und Totband eines Kanals, für die geltenden Eingänge.</translation>
+    </message>
+    <message>
+        <source>Get calibrated channels</source>
+        <translation>Kalibrierte Kanäle lesen</translation>
+    </message>
+    <message>
+        <source>Channels whose calibration differs from the defaults.</source>
+        <translation>Kanäle, deren Kalibrierung vom Standard abweicht.</translation>
+    </message>
+    <message>
+        <source>Get configuration parameter</source>
+        <translation>Konfigurationsparameter lesen</translation>
+    </message>
+    <message>
+        <source>The stored value of one configuration parameter.</source>
+        <translation>Der gespeicherte Wert eines Konfigurationsparameters.</translation>
+    </message>
+    <message>
+        <source>Set channel calibration</source>
+        <translation>Kanalkalibrierung setzen</translation>
+    </message>
+    <message>
+        <source>Stores one channel's calibration (serial mode only). Answers when stored, after about 32 ms.</source>
+        <translation>Speichert die Kalibrierung eines Kanals (nur im seriellen Modus). Antwortet nach dem Speichern, nach etwa 32 ms.</translation>
+    </message>
+    <message>
+        <source>Set configuration parameter</source>
+        <translation>Konfigurationsparameter setzen</translation>
+    </message>
+    <message>
+        <source>Stores one configuration parameter (serial mode only). Answers when stored, after about 4 ms.</source>
+        <translation>Speichert einen Konfigurationsparameter (nur im seriellen Modus). Antwortet nach dem Speichern, nach etwa 4 ms.</translation>
+    </message>
+    <message>
+        <source>Set motor 1</source>
+        <translation>Motor 1 setzen</translation>
+    </message>
+    <message>
+        <source>Sets speed and direction, or braking duty, at once; overrides current limiting for the moment.</source>
+        <translation>Setzt Drehzahl und Richtung oder Bremsgrad sofort; übergeht dabei vorübergehend die Strombegrenzung.</translation>
+    </message>
+    <message>
+        <source>Accelerate motor 1</source>
+        <translation>Motor 1 beschleunigen</translation>
+    </message>
+    <message>
+        <source>Sets the target speed; the controller accelerates to it every 10 ms and keeps to the current limit.</source>
+        <translation>Setzt die Zieldrehzahl; der Controller beschleunigt im Takt von 10 ms dorthin und hält die Stromgrenze ein.</translation>
+    </message>
+    <message>
+        <source>Set motor 2</source>
+        <translation>Motor 2 setzen</translation>
+    </message>
+    <message>
+        <source>Accelerate motor 2</source>
+        <translation>Motor 2 beschleunigen</translation>
+    </message>
+    <message>
+        <source>Set motors 1 and 2</source>
+        <translation>Motoren 1 und 2 setzen</translation>
+    </message>
+    <message>
+        <source>Sets both motors at once; overrides current limiting for the moment.</source>
+        <translation>Setzt beide Motoren sofort; übergeht dabei vorübergehend die Strombegrenzung.</translation>
+    </message>
+    <message>
+        <source>Accelerate motors 1 and 2</source>
+        <translation>Motoren 1 und 2 beschleunigen</translation>
+    </message>
+    <message>
+        <source>Sets the target speeds of both motors.</source>
+        <translation>Setzt die Zieldrehzahlen beider Motoren.</translation>
+    </message>
+    <message>
+        <source>Set auxiliary motor</source>
+        <translation>Hilfsmotor setzen</translation>
+    </message>
+    <message>
+        <source>Sets the speed of the auxiliary motor, one direction, at once.</source>
+        <translation>Setzt die Drehzahl des Hilfsmotors sofort, in einer Richtung.</translation>
+    </message>
+    <message>
+        <source>Accelerate auxiliary motor</source>
+        <translation>Hilfsmotor beschleunigen</translation>
+    </message>
+    <message>
+        <source>Sets the target speed of the auxiliary motor.</source>
+        <translation>Setzt die Zieldrehzahl des Hilfsmotors.</translation>
+    </message>
+</context>
+<context>
+    <name>ConfigFile</name>
+    <message>
+        <source>%1 (no ordinary file)</source>
+        <translation>%1 (keine gewöhnliche Datei)</translation>
+    </message>
+    <message>
+        <source>The file was written by a newer program (version %1).</source>
+        <translation>Die Datei wurde von einem neueren Programm geschrieben (Version %1).</translation>
+    </message>
+    <message>
+        <source>The file was written by a newer program (version %1); not understood and left out: %2.</source>
+        <translation>Die Datei wurde von einem neueren Programm geschrieben (Version %1); nicht verstanden und ausgelassen: %2.</translation>
+    </message>
+    <message>
+        <source>is not known in a file of version 1</source>
+        <translation>ist in einer Datei der Version 1 nicht bekannt</translation>
+    </message>
+    <message>
+        <source>line %1, %2: stands twice</source>
+        <translation>Zeile %1, %2: steht doppelt</translation>
+    </message>
+    <message>
+        <source>must be "trexpanel-configuration": this is no configuration file</source>
+        <translation>muss "trexpanel-configuration" sein: dies ist keine Konfigurationsdatei</translation>
+    </message>
+    <message>
+        <source>is missing, and so is calibration</source>
+        <translation>fehlt, und calibration ebenso</translation>
+    </message>
+    <message>
+        <source>a time such as 2026-11-22T14:00:00Z</source>
+        <translation>eine Zeit wie 2026-11-22T14:00:00Z</translation>
+    </message>
+    <message>
+        <source>%1 is no time such as 2026-11-22T14:00:00Z</source>
+        <translation>%1 ist keine Zeit wie 2026-11-22T14:00:00Z</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>%1 is not the signature of a TReX</source>
+        <translation>%1 ist nicht die Signatur eines TReX</translation>
+    </message>
+    <message>
+        <source>is a command and not a setting</source>
+        <translation>ist ein Befehl und keine Einstellung</translation>
+    </message>
+    <message>
+        <source>%1 is no value of this parameter</source>
+        <translation>%1 ist kein Wert dieses Parameters</translation>
+    </message>
+    <message>
+        <source>is "%1", but this parameter's unit is "%2"</source>
+        <translation>ist "%1", aber die Einheit dieses Parameters ist "%2"</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 disagrees with raw %2, which is %3</source>
+        <translation>%1 widerspricht dem Rohwert %2, der %3 entspricht</translation>
+    </message>
+    <message>
+        <source>%1 is above neutral, %2</source>
+        <translation>%1 liegt über Neutral, %2</translation>
+    </message>
+    <message>
+        <source>%1 is above maximum, %2</source>
+        <translation>%1 liegt über dem Maximum, %2</translation>
+    </message>
+    <message>
+        <source>%1 equals minimum</source>
+        <translation>%1 ist gleich dem Minimum</translation>
+    </message>
+    <message>
+        <source>larger than 1 MiB, which no configuration is</source>
+        <translation>größer als 1 MiB, was keine Konfiguration ist</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>must be an object in braces</source>
+        <translation>muss ein Objekt in geschweiften Klammern sein</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation>null</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>line %1, %2</source>
+        <translation>Zeile %1, %2</translation>
+    </message>
+    <message>
+        <source>must be %1, but is %2</source>
+        <translation>muss %1 sein, ist aber %2</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>must be a whole number, but is %1</source>
+        <translation>muss eine ganze Zahl sein, ist aber %1</translation>
+    </message>
+    <message>
+        <source>%1 is out of range (%2…%3)</source>
+        <translation>%1 liegt außerhalb des Bereichs (%2…%3)</translation>
+    </message>
+</context>
+<context>
+    <name>CsvExport</name>
+    <message>
+        <source>not a plain file</source>
+        <translation>keine gewöhnliche Datei</translation>
+    </message>
+</context>
+<context>
+    <name>CurrentsPanel</name>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation>30 s</translation>
+    </message>
+    <message>
+        <source>1 min</source>
+        <translation>1 min</translation>
+    </message>
+    <message>
+        <source>5 min</source>
+        <translation>5 min</translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation>30 min</translation>
+    </message>
+    <message>
+        <source>1 h</source>
+        <translation>1 h</translation>
+    </message>
+    <message>
+        <source>whole session</source>
+        <translation>gesamte Sitzung</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>the port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>the controller</source>
+        <translation>Controller</translation>
+    </message>
+    <message>
+        <source>The controller refused: it has no such parameter</source>
+        <translation>Der Controller hat abgelehnt: er hat keinen solchen Parameter</translation>
+    </message>
+    <message>
+        <source>Check the parameter's number; 0x17 needs firmware 1.2 or later.</source>
+        <translation>Nummer des Parameters prüfen; 0x17 erfordert Firmware 1.2 oder neuer.</translation>
+    </message>
+    <message>
+        <source>The controller refused the value</source>
+        <translation>Der Controller hat den Wert abgelehnt</translation>
+    </message>
+    <message>
+        <source>Check its range; a calibration needs minimum ≤ neutral ≤ maximum and minimum &lt; maximum.</source>
+        <translation>Bereich prüfen; eine Kalibrierung erfordert Minimum ≤ Neutral ≤ Maximum und Minimum &lt; Maximum.</translation>
+    </message>
+    <message>
+        <source>The controller refused: it is not in serial mode</source>
+        <translation>Der Controller hat abgelehnt: er ist nicht im seriellen Modus</translation>
+    </message>
+    <message>
+        <source>Switch its power off, take the mode jumper off, switch it on and try again.</source>
+        <translation>Ausschalten, Modus-Steckbrücke abziehen, einschalten und erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>The controller gave an answer that its documentation does not know</source>
+        <translation>Der Controller gab eine Antwort, die seine Dokumentation nicht kennt</translation>
+    </message>
+    <message>
+        <source>Read the value back to see whether it was stored.</source>
+        <translation>Den Wert zurücklesen, um zu sehen, ob er gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>No reply from %1</source>
+        <translation>Keine Antwort: %1</translation>
+    </message>
+    <message>
+        <source>Check its power, the wiring, baud rate, error detection and device number; Scan tries the settings for you.</source>
+        <translation>Versorgung, Verdrahtung, Baudrate, Fehlererkennung und Gerätenummer prüfen; die Suche probiert die Einstellungen durch.</translation>
+    </message>
+    <message>
+        <source>The reply broke off</source>
+        <translation>Die Antwort ist abgebrochen</translation>
+    </message>
+    <message>
+        <source>Check the wiring and the controller's power, then try again.</source>
+        <translation>Verdrahtung und Versorgung des Controllers prüfen, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>The reply failed its CRC check</source>
+        <translation>Die CRC-Prüfung der Antwort ist fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Check the wiring for noise, and that the controller uses the same CRC-7 polynomial.</source>
+        <translation>Verkabelung auf Störeinflüsse prüfen und ob der Controller dasselbe CRC-7-Polynom verwendet.</translation>
+    </message>
+    <message>
+        <source>The reply makes no sense from a TReX</source>
+        <translation>Die Antwort ist für einen TReX nicht plausibel</translation>
+    </message>
+    <message>
+        <source>Check that a TReX or TReX Jr is connected, and its baud rate and error detection.</source>
+        <translation>Prüfen, ob ein TReX oder TReX Jr angeschlossen ist, ferner Baudrate und Fehlererkennung.</translation>
+    </message>
+    <message>
+        <source>The controller did not answer the setting, so it discarded the packet</source>
+        <translation>Der Controller hat die Einstellung nicht beantwortet, das Paket also verworfen</translation>
+    </message>
+    <message>
+        <source>Look at the UART error byte for the reason, then try again.</source>
+        <translation>Die Ursache im UART-Fehlerbyte nachsehen, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>Only our own bytes came back from %1</source>
+        <translation>Nur die eigenen Bytes kamen zurück: %1</translation>
+    </message>
+    <message>
+        <source>Check the controller's power and the wiring, that the RS-232 pins carry RS-232 and the SI and SO pins logic levels, and the baud rate.</source>
+        <translation>Stromversorgung des Controllers und Verkabelung prüfen, ob die RS-232-Pins RS-232 und die Pins SI und SO Logikpegel führen, sowie die Baudrate.</translation>
+    </message>
+    <message>
+        <source>Bytes came from %1 that are no reply of a TReX</source>
+        <translation>Empfangene Bytes sind keine Antwort eines TReX: %1</translation>
+    </message>
+    <message>
+        <source>Perhaps it uses another baud rate or error detection (Scan finds it), or another device is connected.</source>
+        <translation>Vielleicht gilt eine andere Baudrate oder Fehlererkennung (die Suche findet sie), oder ein anderes Gerät ist angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Something answered, but not with the signature of a TReX</source>
+        <translation>Etwas hat geantwortet, aber nicht mit der Signatur eines TReX</translation>
+    </message>
+    <message>
+        <source>Choose another port, or another baud rate or device number.</source>
+        <translation>Anderen Port, andere Baudrate oder andere Gerätenummer wählen.</translation>
+    </message>
+    <message>
+        <source>The connection to %1 was lost</source>
+        <translation>Verbindung verloren: %1</translation>
+    </message>
+    <message>
+        <source>Check the cable and the adapter, then connect again.</source>
+        <translation>Kabel und Adapter prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>There is no connection to a controller</source>
+        <translation>Keine Verbindung zu einem Controller</translation>
+    </message>
+    <message>
+        <source>Connect first.</source>
+        <translation>Zuerst verbinden.</translation>
+    </message>
+    <message>
+        <source>Cancelled on request</source>
+        <translation>Auf Wunsch abgebrochen</translation>
+    </message>
+    <message>
+        <source>There is no port %1</source>
+        <translation>Es gibt keinen Port %1</translation>
+    </message>
+    <message>
+        <source>Check that the adapter is plugged in, or choose another port.</source>
+        <translation>Prüfen, ob der Adapter eingesteckt ist, oder einen anderen Port wählen.</translation>
+    </message>
+    <message>
+        <source>of that name</source>
+        <translation>dieses Namens</translation>
+    </message>
+    <message>
+        <source>Another program uses %1</source>
+        <translation>Von einem anderen Programm belegt: %1</translation>
+    </message>
+    <message>
+        <source>Close that program, then try again.</source>
+        <translation>Das andere Programm schließen, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>No permission to open %1</source>
+        <translation>Keine Berechtigung zum Öffnen: %1</translation>
+    </message>
+    <message>
+        <source>Add yourself to the group dialout (sudo usermod -aG dialout $USER), then log in again.</source>
+        <translation>Das eigene Konto in die Gruppe dialout aufnehmen (sudo usermod -aG dialout $USER), dann neu anmelden.</translation>
+    </message>
+    <message>
+        <source>Not a serial port: %1</source>
+        <translation>Kein serieller Port: %1</translation>
+    </message>
+    <message>
+        <source>Choose a serial device such as /dev/ttyUSB0 or COM3, a tcp://HOST:PORT address, or sim: for the simulator.</source>
+        <translation>Ein serielles Gerät wie /dev/ttyUSB0 oder COM3, eine Adresse tcp://HOST:PORT oder sim: für den Simulator wählen.</translation>
+    </message>
+    <message>
+        <source>Could not open or set up %1</source>
+        <translation>Öffnen oder Einrichten fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>Check the address and the cable, plug the adapter in again, then retry.</source>
+        <translation>Adresse und Kabel prüfen, Adapter neu einstecken, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>Not a port address: %1</source>
+        <translation>Keine Portadresse: %1</translation>
+    </message>
+    <message>
+        <source>Give a serial device such as /dev/ttyUSB0 or COM3, tcp://HOST:PORT, or sim: for the simulator.</source>
+        <translation>Ein serielles Gerät wie /dev/ttyUSB0 oder COM3, tcp://HOST:PORT oder sim: für den Simulator angeben.</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>Out of range: %1</source>
+        <translation>Außerhalb des Bereichs: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was sent; give a value within the range.</source>
+        <translation>Nichts wurde gesendet; einen Wert innerhalb des Bereichs angeben.</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>Not a command of the TReX: %1</source>
+        <translation>Kein Befehl des TReX: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was sent; check the command and its data bytes.</source>
+        <translation>Nichts wurde gesendet; Befehl und Datenbytes prüfen.</translation>
+    </message>
+    <message>
+        <source>no bytes</source>
+        <translation>keine Bytes</translation>
+    </message>
+    <message>
+        <source>The motors are not armed</source>
+        <translation>Die Motoren sind nicht scharf geschaltet</translation>
+    </message>
+    <message>
+        <source>Nothing was sent; arm them in the Motors panel first.</source>
+        <translation>Nichts wurde gesendet; zuerst im Bereich Motoren scharf schalten.</translation>
+    </message>
+    <message>
+        <source>The motors are locked while another task runs</source>
+        <translation>Die Motoren sind gesperrt, solange ein anderer Vorgang läuft</translation>
+    </message>
+    <message>
+        <source>Nothing was sent; finish or cancel that task first.</source>
+        <translation>Nichts wurde gesendet; zuerst den anderen Vorgang beenden oder abbrechen.</translation>
+    </message>
+    <message>
+        <source>Not available in joint motor mode</source>
+        <translation>Im gemeinsamen Motormodus nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>Both H-bridges drive one motor there, without current readings; the motor mode parameter changes that.</source>
+        <translation>Beide H-Brücken treiben dort einen Motor, ohne Strommesswerte; der Parameter Motormodus ändert das.</translation>
+    </message>
+    <message>
+        <source>What was read back differs from what was written</source>
+        <translation>Zurückgelesenes weicht vom Geschriebenen ab</translation>
+    </message>
+    <message>
+        <source>Read the value again, and write it once more if it is still wrong.</source>
+        <translation>Den Wert erneut lesen und noch einmal schreiben, falls er weiterhin falsch ist.</translation>
+    </message>
+    <message>
+        <source>Could not read %1</source>
+        <translation>Lesen fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>Check its name, and that you may read it.</source>
+        <translation>Namen und Leseberechtigung prüfen.</translation>
+    </message>
+    <message>
+        <source>The file makes no sense</source>
+        <translation>Der Inhalt der Datei ist fehlerhaft</translation>
+    </message>
+    <message>
+        <source>Correct that place, or choose another file.</source>
+        <translation>Die Stelle korrigieren oder eine andere Datei wählen.</translation>
+    </message>
+    <message>
+        <source>Could not write %1</source>
+        <translation>Schreiben fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>Check its folder, that you may write there, and that the disk is not full.</source>
+        <translation>Ordner und Schreibberechtigung prüfen und ob der Datenträger voll ist.</translation>
+    </message>
+</context>
+<context>
+    <name>Options</name>
+    <message>
+        <source>serial device, tcp://HOST:PORT, or sim: (built-in simulator); default: the last one used</source>
+        <translation>serielles Gerät, tcp://HOST:PORT oder sim: (eingebauter Simulator); Standard: zuletzt verwendet</translation>
+    </message>
+    <message>
+        <source>1200 to 115200, as set in the controller; default 19200</source>
+        <translation>1200 bis 115200, wie im Controller eingestellt; Standard 19200</translation>
+    </message>
+    <message>
+        <source>packet form: compact (default) or pololu</source>
+        <translation>Paketform: compact (Standard) oder pololu</translation>
+    </message>
+    <message>
+        <source>device number 0 to 127; implies --protocol pololu; default 7</source>
+        <translation>Gerätenummer 0 bis 127; bedingt --protocol pololu; Standard 7</translation>
+    </message>
+    <message>
+        <source>none (default), even, odd or crc7, as set in the controller</source>
+        <translation>none (Standard), even, odd oder crc7, wie im Controller eingestellt</translation>
+    </message>
+    <message>
+        <source>8-bit polynomial, top bit set; default 0x89</source>
+        <translation>8-Bit-Polynom, oberstes Bit gesetzt; Standard 0x89</translation>
+    </message>
+    <message>
+        <source>1 (default) or 2</source>
+        <translation>1 (Standard) oder 2</translation>
+    </message>
+    <message>
+        <source>RS-232 wiring echoes what is sent: auto (default), on or off</source>
+        <translation>RS-232-Verkabelung gibt Gesendetes als Echo zurück: auto (Standard), on oder off</translation>
+    </message>
+    <message>
+        <source>wait for a reply, above its time on the wire; default 100</source>
+        <translation>Wartezeit auf eine Antwort, über die Übertragungszeit hinaus; Standard 100</translation>
+    </message>
+    <message>
+        <source>%1 '%2' (one of %3)</source>
+        <translation>%1 '%2' (eines von %3)</translation>
+    </message>
+    <message>
+        <source>--device with --protocol compact, which carries no number</source>
+        <translation>--device mit --protocol compact, das keine Nummer überträgt</translation>
+    </message>
+    <message>
+        <source>Line options</source>
+        <translation>Leitungsoptionen</translation>
+    </message>
+    <message>
+        <source>%1 '%2' is not a whole number (%3…%4)</source>
+        <translation>%1 '%2' ist keine ganze Zahl (%3…%4)</translation>
+    </message>
+    <message>
+        <source>%1 '%2' (a number above 0, at most %3)</source>
+        <translation>%1 '%2' (eine Zahl über 0, höchstens %3)</translation>
+    </message>
+    <message>
+        <source>--scale '%1' (50 to 400 percent)</source>
+        <translation>--scale '%1' (50 bis 400 Prozent)</translation>
+    </message>
+    <message>
+        <source>--theme '%1' (one of %2)</source>
+        <translation>--theme '%1' (eines von %2)</translation>
+    </message>
+    <message>
+        <source>--language '%1' (one of %2)</source>
+        <translation>--language '%1' (eines von %2)</translation>
+    </message>
+    <message>
+        <source>--simulate and --port: one or the other</source>
+        <translation>--simulate und --port: nur eines von beiden</translation>
+    </message>
+    <message>
+        <source>--report and --screenshots need --script</source>
+        <translation>--report und --screenshots erfordern --script</translation>
+    </message>
+    <message>
+        <source>Control panel for the Pololu TReX Jr motor controller.</source>
+        <translation>Bedienfeld für den Motorcontroller Pololu TReX Jr.</translation>
+    </message>
+    <message>
+        <source>connect to the built-in simulated controller</source>
+        <translation>mit dem eingebauten simulierten Controller verbinden</translation>
+    </message>
+    <message>
+        <source>needs no display</source>
+        <translation>benötigt keine Anzeige</translation>
+    </message>
+    <message>
+        <source>play this script, then exit: 0 passed, 1 a step failed, 2 unreadable</source>
+        <translation>dieses Skript abspielen, dann beenden: 0 bestanden, 1 ein Schritt fehlgeschlagen, 2 unlesbar</translation>
+    </message>
+    <message>
+        <source>write what the script did, as JSON</source>
+        <translation>aufschreiben, was das Skript getan hat, als JSON</translation>
+    </message>
+    <message>
+        <source>folder for the script's pictures; default out/demo</source>
+        <translation>Ordner für die Bilder des Skripts; Standard out/demo</translation>
+    </message>
+    <message>
+        <source>settings file in place of your own</source>
+        <translation>Einstellungsdatei anstelle der eigenen</translation>
+    </message>
+    <message>
+        <source>language, such as en or de</source>
+        <translation>Sprache, etwa en oder de</translation>
+    </message>
+    <message>
+        <source>light, dark or system</source>
+        <translation>light, dark oder system</translation>
+    </message>
+    <message>
+        <source>size of everything in percent, 50 to 400</source>
+        <translation>Größe von allem in Prozent, 50 bis 400</translation>
+    </message>
+    <message>
+        <source>log transactions to stderr; -vv the bytes, too</source>
+        <translation>Transaktionen auf stderr protokollieren; -vv auch die Bytes</translation>
+    </message>
+    <message>
+        <source>trexpanel: %1. See: trexpanel --help</source>
+        <translation>trexpanel: %1. Siehe: trexpanel --help</translation>
+    </message>
+</context>
+<context>
+    <name>Packets</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 reverse %2</source>
+        <translation>%1 rückwärts %2</translation>
+    </message>
+    <message>
+        <source>%1 forward %2</source>
+        <translation>%1 vorwärts %2</translation>
+    </message>
+    <message>
+        <source>%1 brake %2</source>
+        <translation>%1 bremsen %2</translation>
+    </message>
+    <message>
+        <source>Set motors %1, %2</source>
+        <translation>Motoren setzen: %1, %2</translation>
+    </message>
+    <message>
+        <source>Accelerate motors %1, %2</source>
+        <translation>Motoren beschleunigen: %1, %2</translation>
+    </message>
+    <message>
+        <source>Brake motor 1, duty %1</source>
+        <translation>Motor 1 bremsen, Bremsgrad %1</translation>
+    </message>
+    <message>
+        <source>Brake motor 2, duty %1</source>
+        <translation>Motor 2 bremsen, Bremsgrad %1</translation>
+    </message>
+    <message>
+        <source>Get parameter %1</source>
+        <translation>Parameter %1 lesen</translation>
+    </message>
+    <message>
+        <source>Get calibration of channel %1</source>
+        <translation>Kalibrierung von Kanal %1 lesen</translation>
+    </message>
+    <message>
+        <source>Set parameter %1 to %2</source>
+        <translation>Parameter %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>Set calibration of channel %1: %2</source>
+        <translation>Kalibrierung von Kanal %1 setzen: %2</translation>
+    </message>
+    <message>
+        <source>invalid</source>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>unknown mode</source>
+        <translation>unbekannter Modus</translation>
+    </message>
+    <message>
+        <source>RC mode</source>
+        <translation>RC-Modus</translation>
+    </message>
+    <message>
+        <source>analog mode</source>
+        <translation>Analogmodus</translation>
+    </message>
+    <message>
+        <source>serial mode, RC inputs</source>
+        <translation>serieller Modus, RC-Eingänge</translation>
+    </message>
+    <message>
+        <source>serial mode, analog inputs</source>
+        <translation>serieller Modus, Analogeingänge</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>Unknown command %1</source>
+        <translation>Unbekannter Befehl %1</translation>
+    </message>
+    <message>
+        <source>%1, malformed: %2</source>
+        <translation>%1, fehlerhaft: %2</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>channel 1</source>
+        <translation>Kanal 1</translation>
+    </message>
+    <message>
+        <source>channel 2</source>
+        <translation>Kanal 2</translation>
+    </message>
+    <message>
+        <source>channel 3</source>
+        <translation>Kanal 3</translation>
+    </message>
+    <message>
+        <source>channel 4</source>
+        <translation>Kanal 4</translation>
+    </message>
+    <message>
+        <source>channel 5</source>
+        <translation>Kanal 5</translation>
+    </message>
+    <message>
+        <source>CRC error</source>
+        <translation>CRC-Fehler</translation>
+    </message>
+    <message>
+        <source>deadband</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>device number</source>
+        <translation>Gerätenummer</translation>
+    </message>
+    <message>
+        <source>format error</source>
+        <translation>Formatfehler</translation>
+    </message>
+    <message>
+        <source>format byte 1</source>
+        <translation>Formatbyte 1</translation>
+    </message>
+    <message>
+        <source>format byte 2</source>
+        <translation>Formatbyte 2</translation>
+    </message>
+    <message>
+        <source>frame error</source>
+        <translation>Rahmenfehler</translation>
+    </message>
+    <message>
+        <source>learned</source>
+        <translation>gelernt</translation>
+    </message>
+    <message>
+        <source>channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>motor 1 fault</source>
+        <translation>Störung Motor 1</translation>
+    </message>
+    <message>
+        <source>motor 1 over current limit</source>
+        <translation>Überstrom Motor 1</translation>
+    </message>
+    <message>
+        <source>motor 1 speed</source>
+        <translation>Drehzahl Motor 1</translation>
+    </message>
+    <message>
+        <source>motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>motor 2 fault</source>
+        <translation>Störung Motor 2</translation>
+    </message>
+    <message>
+        <source>motor 2 over current limit</source>
+        <translation>Überstrom Motor 2</translation>
+    </message>
+    <message>
+        <source>motor 2 speed</source>
+        <translation>Drehzahl Motor 2</translation>
+    </message>
+    <message>
+        <source>neutral</source>
+        <translation>Neutral</translation>
+    </message>
+    <message>
+        <source>data overrun</source>
+        <translation>Datenüberlauf</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>parity error</source>
+        <translation>Paritätsfehler</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>Rohwert</translation>
+    </message>
+    <message>
+        <source>read buffer overrun</source>
+        <translation>Lesepufferüberlauf</translation>
+    </message>
+    <message>
+        <source>remapped</source>
+        <translation>umgerechnet</translation>
+    </message>
+    <message>
+        <source>send buffer overrun</source>
+        <translation>Sendepufferüberlauf</translation>
+    </message>
+    <message>
+        <source>serial controls the motors</source>
+        <translation>Motoren seriell gesteuert</translation>
+    </message>
+    <message>
+        <source>signature</source>
+        <translation>Signatur</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>timeout</source>
+        <translation>Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>UART error</source>
+        <translation>UART-Fehler</translation>
+    </message>
+    <message>
+        <source>UART errors</source>
+        <translation>UART-Fehler</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>bit %1</source>
+        <translation>Bit %1</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>refused: bad parameter number</source>
+        <translation>abgelehnt: falsche Parameternummer</translation>
+    </message>
+    <message>
+        <source>refused: bad value</source>
+        <translation>abgelehnt: unzulässiger Wert</translation>
+    </message>
+    <message>
+        <source>refused: not in serial mode</source>
+        <translation>abgelehnt: nicht im seriellen Modus</translation>
+    </message>
+    <message>
+        <source>unknown answer %1</source>
+        <translation>unbekannte Antwort %1</translation>
+    </message>
+</context>
+<context>
+    <name>Panels</name>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>Motor currents</source>
+        <translation>Motorströme</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Packets</source>
+        <translation>Pakete</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterField</name>
+    <message>
+        <source>channel %1</source>
+        <translation>Kanal %1</translation>
+    </message>
+    <message>
+        <source>no check</source>
+        <translation>ohne Prüfung</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>odd</source>
+        <translation>ungerade</translation>
+    </message>
+    <message>
+        <source>CRC-7</source>
+        <translation>CRC-7</translation>
+    </message>
+    <message>
+        <source>1 stop</source>
+        <translation>1 Stopp</translation>
+    </message>
+    <message>
+        <source>2 stop</source>
+        <translation>2 Stopp</translation>
+    </message>
+    <message>
+        <source>baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>error detection</source>
+        <translation>Fehlererkennung</translation>
+    </message>
+    <message>
+        <source>stop bits</source>
+        <translation>Stoppbits</translation>
+    </message>
+    <message>
+        <source>The number as the controller stores it (raw)</source>
+        <translation>Die Zahl, wie der Controller sie speichert (Rohwert)</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterHelp</name>
+    <message>
+        <source> (Unsure: the vendor does not state it.)</source>
+        <translation> (Unsicher: Der Hersteller gibt es nicht an.)</translation>
+    </message>
+    <message>
+        <source>Range: %1. Default: %2, %3.</source>
+        <translation>Bereich: %1. Standard: %2, %3.</translation>
+    </message>
+    <message>
+        <source>Acts after a power cycle.</source>
+        <translation>Wirkt nach Aus- und Einschalten.</translation>
+    </message>
+    <message>
+        <source>Acts at once.</source>
+        <translation>Wirkt sofort.</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Quelle: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterText</name>
+    <message>
+        <source>%1 (unexpected)</source>
+        <translation>%1 (unerwartet)</translation>
+    </message>
+    <message>
+        <source>channels 1 to 5</source>
+        <translation>Kanäle 1 bis 5</translation>
+    </message>
+    <message>
+        <source>off, on</source>
+        <translation>aus, ein</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>0x80 to 0xFF</source>
+        <translation>0x80 bis 0xFF</translation>
+    </message>
+    <message>
+        <source>1200 to 115200 baud</source>
+        <translation>1200 bis 115200 Baud</translation>
+    </message>
+    <message>
+        <source>documented</source>
+        <translation>dokumentiert</translation>
+    </message>
+    <message>
+        <source>observed on controllers</source>
+        <translation>an Controllern beobachtet</translation>
+    </message>
+    <message>
+        <source>inferred, quite sure</source>
+        <translation>gefolgert, recht sicher</translation>
+    </message>
+    <message>
+        <source>inferred, unsure</source>
+        <translation>gefolgert, unsicher</translation>
+    </message>
+    <message>
+        <source>a guess</source>
+        <translation>vermutet</translation>
+    </message>
+</context>
+<context>
+    <name>Parameters</name>
+    <message>
+        <source>no channel</source>
+        <translation>kein Kanal</translation>
+    </message>
+    <message>
+        <source>channel %1</source>
+        <translation>Kanal %1</translation>
+    </message>
+    <message>
+        <source>channels %1</source>
+        <translation>Kanäle %1</translation>
+    </message>
+    <message>
+        <source>even parity</source>
+        <translation>gerade Parität</translation>
+    </message>
+    <message>
+        <source>odd parity</source>
+        <translation>ungerade Parität</translation>
+    </message>
+    <message>
+        <source>CRC-7</source>
+        <translation>CRC-7</translation>
+    </message>
+    <message>
+        <source>no error detection</source>
+        <translation>keine Fehlererkennung</translation>
+    </message>
+    <message>
+        <source>%1: no such baud rate</source>
+        <translation>%1: keine gültige Baudrate</translation>
+    </message>
+    <message>
+        <source>%1 baud, %2, 1 stop bit</source>
+        <translation>%1 Baud, %2, 1 Stoppbit</translation>
+    </message>
+    <message>
+        <source>%1 baud, %2, 2 stop bits</source>
+        <translation>%1 Baud, %2, 2 Stoppbits</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>independent</source>
+        <translation>unabhängig</translation>
+    </message>
+    <message>
+        <source>joint (one motor on both H-bridges)</source>
+        <translation>gemeinsam (ein Motor an beiden H-Brücken)</translation>
+    </message>
+    <message>
+        <source>RC pulses</source>
+        <translation>RC-Impulse</translation>
+    </message>
+    <message>
+        <source>analog voltages</source>
+        <translation>Analogspannungen</translation>
+    </message>
+    <message>
+        <source>0: 19.5 kHz</source>
+        <translation>0: 19.5 kHz</translation>
+    </message>
+    <message>
+        <source>1: 2.4 kHz</source>
+        <translation>1: 2.4 kHz</translation>
+    </message>
+    <message>
+        <source>2: about 610 Hz (unsure)</source>
+        <translation>2: etwa 610 Hz (unsicher)</translation>
+    </message>
+    <message>
+        <source>3: about 150 Hz (unsure)</source>
+        <translation>3: etwa 150 Hz (unsicher)</translation>
+    </message>
+    <message>
+        <source>Serial line and safety</source>
+        <translation>Serielle Leitung und Sicherheit</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>Current limits</source>
+        <translation>Stromgrenzen</translation>
+    </message>
+    <message>
+        <source>Device number</source>
+        <translation>Gerätenummer</translation>
+    </message>
+    <message>
+        <source>The number this controller listens to in Pololu packets. Give each controller on a shared line its own.</source>
+        <translation>Die Nummer, auf die dieser Controller in Pololu-Paketen hört. Jedem Controller an einer gemeinsamen Leitung eine eigene geben.</translation>
+    </message>
+    <message>
+        <source>Required channels</source>
+        <translation>Erforderliche Kanäle</translation>
+    </message>
+    <message>
+        <source>RC mode: these channels must carry valid pulses before motors run; losing one for 500 ms stops them.</source>
+        <translation>RC-Modus: Diese Kanäle müssen gültige Impulse führen, bevor Motoren laufen; fällt einer 500 ms lang aus, halten sie an.</translation>
+    </message>
+    <message>
+        <source>Ignored channels</source>
+        <translation>Ignorierte Kanäle</translation>
+    </message>
+    <message>
+        <source>These channels count as resting at neutral, whatever their pins show.</source>
+        <translation>Diese Kanäle gelten als in Neutralstellung ruhend, was immer an ihren Pins anliegt.</translation>
+    </message>
+    <message>
+        <source>Reversed channels</source>
+        <translation>Umgekehrte Kanäle</translation>
+    </message>
+    <message>
+        <source>Forward and reverse change places on these channels.</source>
+        <translation>Auf diesen Kanälen sind vorwärts und rückwärts vertauscht.</translation>
+    </message>
+    <message>
+        <source>Parabolic channels</source>
+        <translation>Parabolische Kanäle</translation>
+    </message>
+    <message>
+        <source>Square-law response: finer control near neutral on these channels.</source>
+        <translation>Quadratische Kennlinie: feinere Steuerung nahe Neutral auf diesen Kanälen.</translation>
+    </message>
+    <message>
+        <source>Motor 1 deadband brake</source>
+        <translation>Totbandbremse Motor 1</translation>
+    </message>
+    <message>
+        <source>Braking duty while motor 1's channel rests in its deadband (RC and analog modes): 0 coasts, 127 brakes fully.</source>
+        <translation>Bremsgrad, solange der Kanal von Motor 1 in seinem Totband ruht (RC- und Analogmodus): 0 lässt auslaufen, 127 bremst voll.</translation>
+    </message>
+    <message>
+        <source>Motor 2 deadband brake</source>
+        <translation>Totbandbremse Motor 2</translation>
+    </message>
+    <message>
+        <source>Braking duty while motor 2's channel rests in its deadband (RC and analog modes): 0 coasts, 127 brakes fully.</source>
+        <translation>Bremsgrad, solange der Kanal von Motor 2 in seinem Totband ruht (RC- und Analogmodus): 0 lässt auslaufen, 127 bremst voll.</translation>
+    </message>
+    <message>
+        <source>Serial timeout</source>
+        <translation>Serielle Zeitüberwachung</translation>
+    </message>
+    <message>
+        <source>Motors stop when the controller hears nothing for this long. 0 switches the protection off.</source>
+        <translation>Die Motoren halten an, wenn der Controller so lange nichts empfängt. 0 schaltet den Schutz aus.</translation>
+    </message>
+    <message>
+        <source>Stop on UART error</source>
+        <translation>Halt bei UART-Fehler</translation>
+    </message>
+    <message>
+        <source>Any serial error stops the motors; the controller keeps listening.</source>
+        <translation>Jeder serielle Fehler hält die Motoren an; der Controller empfängt weiter.</translation>
+    </message>
+    <message>
+        <source>Motor 1 PWM prescaler</source>
+        <translation>PWM-Vorteiler Motor 1</translation>
+    </message>
+    <message>
+        <source>Sets motor 1's PWM frequency. The TReX Jr's driver is rated for 10 kHz.</source>
+        <translation>Legt die PWM-Frequenz von Motor 1 fest. Der Treiber des TReX Jr ist für 10 kHz ausgelegt.</translation>
+    </message>
+    <message>
+        <source>Motor 2 PWM prescaler</source>
+        <translation>PWM-Vorteiler Motor 2</translation>
+    </message>
+    <message>
+        <source>Sets motor 2's PWM frequency. The TReX Jr's driver is rated for 10 kHz.</source>
+        <translation>Legt die PWM-Frequenz von Motor 2 fest. Der Treiber des TReX Jr ist für 10 kHz ausgelegt.</translation>
+    </message>
+    <message>
+        <source>Motor 1 PWM maximum</source>
+        <translation>PWM-Maximum Motor 1</translation>
+    </message>
+    <message>
+        <source>Full scale of motor 1's speed number; 127 is the default 7-bit resolution.</source>
+        <translation>Endwert der Drehzahlangabe von Motor 1; 127 ist die Standardauflösung von 7 Bit.</translation>
+    </message>
+    <message>
+        <source>Motor 2 PWM maximum</source>
+        <translation>PWM-Maximum Motor 2</translation>
+    </message>
+    <message>
+        <source>Full scale of motor 2's speed number; 127 is the default 7-bit resolution.</source>
+        <translation>Endwert der Drehzahlangabe von Motor 2; 127 ist die Standardauflösung von 7 Bit.</translation>
+    </message>
+    <message>
+        <source>Auxiliary motor PWM maximum</source>
+        <translation>PWM-Maximum Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>Full scale of the auxiliary motor's speed number.</source>
+        <translation>Endwert der Drehzahlangabe des Hilfsmotors.</translation>
+    </message>
+    <message>
+        <source>Motor 1 acceleration</source>
+        <translation>Beschleunigung Motor 1</translation>
+    </message>
+    <message>
+        <source>Speed steps gained every 100 ms by accelerate commands; 0 is unlimited.</source>
+        <translation>Drehzahlschritte je 100 ms bei Beschleunigungsbefehlen; 0 ist unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Motor 2 acceleration</source>
+        <translation>Beschleunigung Motor 2</translation>
+    </message>
+    <message>
+        <source>Auxiliary motor acceleration</source>
+        <translation>Beschleunigung Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>Motor 1 brake duration</source>
+        <translation>Bremsdauer Motor 1</translation>
+    </message>
+    <message>
+        <source>Full braking before an accelerate command reverses motor 1.</source>
+        <translation>Volles Bremsen, bevor ein Beschleunigungsbefehl die Richtung von Motor 1 umkehrt.</translation>
+    </message>
+    <message>
+        <source>Motor 2 brake duration</source>
+        <translation>Bremsdauer Motor 2</translation>
+    </message>
+    <message>
+        <source>Full braking before an accelerate command reverses motor 2.</source>
+        <translation>Volles Bremsen, bevor ein Beschleunigungsbefehl die Richtung von Motor 2 umkehrt.</translation>
+    </message>
+    <message>
+        <source>Motor 1 current limit</source>
+        <translation>Stromgrenze Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 1 is slowed above this current; accelerate commands only. 0 is probably no limit.</source>
+        <translation>Oberhalb dieses Stroms wird Motor 1 verlangsamt; nur bei Beschleunigungsbefehlen. 0 bedeutet vermutlich keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Motor 2 current limit</source>
+        <translation>Stromgrenze Motor 2</translation>
+    </message>
+    <message>
+        <source>Motor 2 is slowed above this current; accelerate commands only. 0 is probably no limit.</source>
+        <translation>Oberhalb dieses Stroms wird Motor 2 verlangsamt; nur bei Beschleunigungsbefehlen. 0 bedeutet vermutlich keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Motor 1 current limit gain</source>
+        <translation>Verstärkung Stromgrenze Motor 1</translation>
+    </message>
+    <message>
+        <source>How hard the speed is cut back for each unit of excess current (proportionality constant P).</source>
+        <translation>Wie stark die Drehzahl je Einheit Überstrom zurückgenommen wird (Proportionalitätskonstante P).</translation>
+    </message>
+    <message>
+        <source>Motor 2 current limit gain</source>
+        <translation>Verstärkung Stromgrenze Motor 2</translation>
+    </message>
+    <message>
+        <source>Reply delay of 1 ms</source>
+        <translation>Antwortverzögerung 1 ms</translation>
+    </message>
+    <message>
+        <source>Waits 1 ms before each reply, for slow hosts. Firmware 1.2 and later.</source>
+        <translation>Wartet vor jeder Antwort 1 ms, für langsame Gegenstellen. Ab Firmware 1.2.</translation>
+    </message>
+    <message>
+        <source>Motor mode</source>
+        <translation>Motormodus</translation>
+    </message>
+    <message>
+        <source>Two motors, or one motor on both H-bridges. Joint mode has no current readings.</source>
+        <translation>Zwei Motoren oder ein Motor an beiden H-Brücken. Im gemeinsamen Modus gibt es keine Strommesswerte.</translation>
+    </message>
+    <message>
+        <source>Channel input source</source>
+        <translation>Eingangsquelle der Kanäle</translation>
+    </message>
+    <message>
+        <source>How the five inputs are read in serial mode.</source>
+        <translation>Wie die fünf Eingänge im seriellen Modus gelesen werden.</translation>
+    </message>
+    <message>
+        <source>CRC-7 polynomial</source>
+        <translation>CRC-7-Polynom</translation>
+    </message>
+    <message>
+        <source>Low seven bits of the CRC-7 polynomial; the top bit is always 1. 9 is the default 0x89.</source>
+        <translation>Untere sieben Bits des CRC-7-Polynoms; das oberste Bit ist immer 1. 9 ist der Standard 0x89.</translation>
+    </message>
+    <message>
+        <source>UART settings</source>
+        <translation>UART-Einstellungen</translation>
+    </message>
+    <message>
+        <source>Baud rate, error detection and stop bits of the serial line, in one byte.</source>
+        <translation>Baudrate, Fehlererkennung und Stoppbits der seriellen Leitung in einem Byte.</translation>
+    </message>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>Alle Parameter zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Puts all parameters back to factory defaults. Calibrations stay.</source>
+        <translation>Setzt alle Parameter auf Werkseinstellung zurück. Kalibrierungen bleiben erhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotView</name>
+    <message>
+        <source>no data</source>
+        <translation>keine Daten</translation>
+    </message>
+</context>
+<context>
+    <name>Polls</name>
+    <message>
+        <source>currents</source>
+        <translation>Ströme</translation>
+    </message>
+    <message>
+        <source>channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>remapped channels</source>
+        <translation>umgerechnete Kanäle</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>UART errors</source>
+        <translation>UART-Fehler</translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>learned channels</source>
+        <translation>gelernte Kanäle</translation>
+    </message>
+</context>
+<context>
+    <name>Streams</name>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>Channel 1</source>
+        <translation>Kanal 1</translation>
+    </message>
+    <message>
+        <source>Channel 2</source>
+        <translation>Kanal 2</translation>
+    </message>
+    <message>
+        <source>Channel 3</source>
+        <translation>Kanal 3</translation>
+    </message>
+    <message>
+        <source>Channel 4</source>
+        <translation>Kanal 4</translation>
+    </message>
+    <message>
+        <source>Channel 5</source>
+        <translation>Kanal 5</translation>
+    </message>
+    <message>
+        <source>Channel 1 remapped</source>
+        <translation>Kanal 1 umgerechnet</translation>
+    </message>
+    <message>
+        <source>Channel 2 remapped</source>
+        <translation>Kanal 2 umgerechnet</translation>
+    </message>
+    <message>
+        <source>Channel 3 remapped</source>
+        <translation>Kanal 3 umgerechnet</translation>
+    </message>
+    <message>
+        <source>Channel 4 remapped</source>
+        <translation>Kanal 4 umgerechnet</translation>
+    </message>
+    <message>
+        <source>Channel 5 remapped</source>
+        <translation>Kanal 5 umgerechnet</translation>
+    </message>
+    <message>
+        <source>Status byte</source>
+        <translation>Statusbyte</translation>
+    </message>
+    <message>
+        <source>UART error byte</source>
+        <translation>UART-Fehlerbyte</translation>
+    </message>
+</context>
+<context>
+    <name>Transfer</name>
+    <message>
+        <source>RC</source>
+        <translation>RC</translation>
+    </message>
+    <message>
+        <source>analog</source>
+        <translation>Analog</translation>
+    </message>
+    <message>
+        <source>Nothing had to be written.</source>
+        <translation>Es war nichts zu schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 settings are written and read back.</source>
+        <translation>%1 Einstellungen geschrieben und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Written and read back: %1.</source>
+        <translation>Geschrieben und zurückgelesen: %1.</translation>
+    </message>
+    <message>
+        <source>The %1 calibration is left out: the controller uses the %2 one now and takes no other.</source>
+        <translation>Die %1-Kalibrierung wird ausgelassen: Der Controller verwendet derzeit die %2-Kalibrierung und nimmt keine andere an.</translation>
+    </message>
+    <message>
+        <source>The %1 calibration is left out: it is not known which one the controller uses now.</source>
+        <translation>Die %1-Kalibrierung wird ausgelassen: Es ist nicht bekannt, welche der Controller derzeit verwendet.</translation>
+    </message>
+    <message>
+        <source>Calibration of channel %1 (%2)</source>
+        <translation>Kalibrierung von Kanal %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Nothing is changed in the controller.</source>
+        <translation>Im Controller ist nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Put back as before: %1.</source>
+        <translation>Wiederhergestellt wie zuvor: %1.</translation>
+    </message>
+    <message>
+        <source>Could not be put back, read them again: %1.</source>
+        <translation>Nicht wiederhergestellt, erneut lesen: %1.</translation>
+    </message>
+    <message>
+        <source>Switch the controller's power off and on for: %1.</source>
+        <translation>Controller aus- und einschalten für: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::AboutDialog</name>
+    <message>
+        <source>&lt;p&gt;A control panel for the Pololu TReX Jr dual motor controller.&lt;/p&gt;&lt;p&gt;This is free software under the GNU General Public License, version 3 or later (GPL-3.0-or-later). It comes without any warranty.&lt;/p&gt;&lt;p&gt;Pololu and TReX are names of Pololu Corporation, which has no part in this program.&lt;/p&gt;&lt;p&gt;The icons are drawn for this program and under the same licence. It is built with:&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ein Bedienfeld für den Doppelmotor-Controller Pololu TReX Jr.&lt;/p&gt;&lt;p&gt;Dies ist freie Software unter der GNU General Public License, Version 3 oder später (GPL-3.0-or-later). Sie kommt ohne jede Gewährleistung.&lt;/p&gt;&lt;p&gt;Pololu und TReX sind Namen der Pololu Corporation, die an diesem Programm nicht beteiligt ist.&lt;/p&gt;&lt;p&gt;Die Symbole sind für dieses Programm gezeichnet und stehen unter derselben Lizenz. Es ist gebaut mit:&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>About TReX Panel</source>
+        <translation>Über TReX Panel</translation>
+    </message>
+    <message>
+        <source>About and licences</source>
+        <translation>Info und Lizenzen</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CalibrationPanel</name>
+    <message>
+        <source>Calibration wizard</source>
+        <translation>Kalibrierassistent</translation>
+    </message>
+    <message>
+        <source>Calibration: %1</source>
+        <translation>Kalibrierung: %1</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CalibrationRow</name>
+    <message>
+        <source>Channel %1</source>
+        <translation>Kanal %1</translation>
+    </message>
+    <message>
+        <source>Use channel %1</source>
+        <translation>Kanal %1 verwenden</translation>
+    </message>
+    <message>
+        <source>State of channel %1</source>
+        <translation>Zustand von Kanal %1</translation>
+    </message>
+    <message>
+        <source>Details of channel %1</source>
+        <translation>Einzelheiten zu Kanal %1</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Neutral</source>
+        <translation>Neutral</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Deadband</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>%1 of channel %2</source>
+        <translation>%1 von Kanal %2</translation>
+    </message>
+    <message>
+        <source>%1 of channel %2 before</source>
+        <translation>%1 von Kanal %2 zuvor</translation>
+    </message>
+    <message>
+        <source>Raw value %1</source>
+        <translation>Rohwert %1</translation>
+    </message>
+    <message>
+        <source>was %1</source>
+        <translation>war %1</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CalibrationWizard</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>What to do now</source>
+        <translation>Was jetzt zu tun ist</translation>
+    </message>
+    <message>
+        <source>Notice</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Countdown</source>
+        <translation>Countdown</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Neutral</source>
+        <translation>Neutral</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Deadband</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>Why it cannot go on yet</source>
+        <translation>Warum es noch nicht weitergeht</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel the calibration</source>
+        <translation>Kalibrierung abbrechen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Back one step</source>
+        <translation>Einen Schritt zurück</translation>
+    </message>
+</context>
+<context>
+    <name>trex::ChannelBar</name>
+    <message>
+        <source>Channel %1</source>
+        <translation>Kanal %1</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>– no pulse</source>
+        <translation>– kein Impuls</translation>
+    </message>
+    <message>
+        <source>%1, old</source>
+        <translation>%1, veraltet</translation>
+    </message>
+    <message>
+        <source>Calibration: minimum %1, neutral %2, maximum %3, deadband ±%4</source>
+        <translation>Kalibrierung: Minimum %1, Neutral %2, Maximum %3, Totband ±%4</translation>
+    </message>
+    <message>
+        <source>no pulse</source>
+        <translation>kein Impuls</translation>
+    </message>
+</context>
+<context>
+    <name>trex::ChannelCalibration</name>
+    <message>
+        <source>The controller was switched off and on.</source>
+        <translation>Der Controller wurde aus- und eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>The motors were armed, which ends a calibration.</source>
+        <translation>Die Motoren wurden scharf geschaltet; das beendet eine Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Cancelled on request.</source>
+        <translation>Auf Wunsch abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Writing channel %1</source>
+        <translation>Kanal %1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was changed.</source>
+        <translation>Abgebrochen: Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The connection to the controller was lost.</source>
+        <translation>Die Verbindung zum Controller ging verloren.</translation>
+    </message>
+    <message>
+        <source>The controller changed between RC and analog inputs, whose calibrations differ.</source>
+        <translation>Der Controller hat zwischen RC- und Analogeingängen gewechselt, deren Kalibrierungen verschieden sind.</translation>
+    </message>
+    <message>
+        <source>Connect to a controller first.</source>
+        <translation>Zuerst mit einem Controller verbinden.</translation>
+    </message>
+    <message>
+        <source>Reading the present calibrations…</source>
+        <translation>Aktuelle Kalibrierungen werden gelesen…</translation>
+    </message>
+    <message>
+        <source>Choose at least one channel.</source>
+        <translation>Mindestens einen Kanal wählen.</translation>
+    </message>
+    <message>
+        <source>Stopping behind this channel…</source>
+        <translation>Halt nach diesem Kanal…</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Schreiben…</translation>
+    </message>
+    <message>
+        <source>No fresh readings come from the controller.</source>
+        <translation>Vom Controller kommen keine neuen Messwerte.</translation>
+    </message>
+    <message>
+        <source>Channel %1 gives no valid reading. Connect it, or go back and leave it out.</source>
+        <translation>Kanal %1 liefert keinen gültigen Messwert. Anschließen, oder zurückgehen und auslassen.</translation>
+    </message>
+    <message>
+        <source>Hold still for %1 s more.</source>
+        <translation>Noch %1 s stillhalten.</translation>
+    </message>
+    <message>
+        <source>Something still drifts: hold still.</source>
+        <translation>Noch driftet etwas: stillhalten.</translation>
+    </message>
+    <message>
+        <source>Channels still to be moved to both ends: %1.</source>
+        <translation>Kanäle, die noch in beide Endlagen zu bewegen sind: %1.</translation>
+    </message>
+    <message>
+        <source>Waiting until no end moves further…</source>
+        <translation>Warten, bis sich keine Endlage mehr verschiebt…</translation>
+    </message>
+    <message>
+        <source>Settings can be written in serial mode only: the controller would refuse. Switch its power off, take the mode jumper off, switch it on and calibrate again.</source>
+        <translation>Einstellungen lassen sich nur im seriellen Modus schreiben: Der Controller würde ablehnen. Ausschalten, Modus-Steckbrücke abziehen, einschalten und neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>No channel was learned well enough to be written.</source>
+        <translation>Kein Kanal wurde gut genug gelernt, um geschrieben zu werden.</translation>
+    </message>
+    <message>
+        <source>Choose at least one channel to write.</source>
+        <translation>Mindestens einen Kanal zum Schreiben wählen.</translation>
+    </message>
+    <message>
+        <source>The controller already held these values; nothing was written.</source>
+        <translation>Der Controller hatte diese Werte bereits; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed in the controller.</source>
+        <translation>Im Controller wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Channels written and read back: %1.</source>
+        <translation>Geschriebene und zurückgelesene Kanäle: %1.</translation>
+    </message>
+    <message>
+        <source>Channels written as the nearest values that this controller can take: %1 (it reads the bytes of a calibration as 8 bits each).</source>
+        <translation>Mit den nächstliegenden Werten, die dieser Controller annehmen kann, geschriebene Kanäle: %1 (er liest die Bytes einer Kalibrierung als je 8 Bit).</translation>
+    </message>
+    <message>
+        <source>Channels that were so already: %1.</source>
+        <translation>Kanäle, die bereits so waren: %1.</translation>
+    </message>
+    <message>
+        <source>Channel %1 was refused and keeps its old values.</source>
+        <translation>Kanal %1 wurde abgelehnt und behält seine alten Werte.</translation>
+    </message>
+    <message>
+        <source>Channel %1 may hold its old or its new values: read it again.</source>
+        <translation>Kanal %1 kann seine alten oder seine neuen Werte enthalten: erneut lesen.</translation>
+    </message>
+    <message>
+        <source>All other channels are as before.</source>
+        <translation>Alle anderen Kanäle sind wie zuvor.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::ChannelsPanel</name>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Calibrate the channels</source>
+        <translation>Die Kanäle kalibrieren</translation>
+    </message>
+    <message>
+        <source>Channel %1 learned</source>
+        <translation>Kanal %1 gelernt</translation>
+    </message>
+    <message>
+        <source>Channel %1 input</source>
+        <translation>Kanal %1 Eingang</translation>
+    </message>
+    <message>
+        <source>Channel %1 remapped</source>
+        <translation>Kanal %1 umgerechnet</translation>
+    </message>
+    <message>
+        <source>Remapped value, −127 to 127: what the motor would be told</source>
+        <translation>Umgerechneter Wert, −127 bis 127: was der Motor als Vorgabe erhielte</translation>
+    </message>
+    <message>
+        <source>RC pulses</source>
+        <translation>RC-Impulse</translation>
+    </message>
+    <message>
+        <source>Analog voltages</source>
+        <translation>Analogspannungen</translation>
+    </message>
+    <message>
+        <source>Learned: calibrated for this transmitter</source>
+        <translation>Gelernt: für diesen Sender kalibriert</translation>
+    </message>
+    <message>
+        <source>Not learned: the factory's calibration</source>
+        <translation>Nicht gelernt: Kalibrierung ab Werk</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CommandBar</name>
+    <message>
+        <source>RC mode</source>
+        <translation>RC-Modus</translation>
+    </message>
+    <message>
+        <source>analog mode</source>
+        <translation>Analogmodus</translation>
+    </message>
+    <message>
+        <source>serial mode (RC inputs)</source>
+        <translation>serieller Modus (RC-Eingänge)</translation>
+    </message>
+    <message>
+        <source>serial mode (analog inputs)</source>
+        <translation>serieller Modus (Analogeingänge)</translation>
+    </message>
+    <message>
+        <source>simulated controller</source>
+        <translation>simulierter Controller</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Connects to the port used last.</source>
+        <translation>Verbindet mit dem zuletzt verwendeten Port.</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Stops all motors and closes the line.</source>
+        <translation>Hält alle Motoren an und schließt die Verbindung.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+    <message>
+        <source>Stop all motors</source>
+        <translation>Alle Motoren anhalten</translation>
+    </message>
+    <message>
+        <source>Stop all motors	Esc</source>
+        <translation>Alle Motoren anhalten	Esc</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>What is connected</source>
+        <translation>Was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Stops all motors and takes no more orders for them.</source>
+        <translation>Hält alle Motoren an und nimmt keine Befehle mehr für sie an.</translation>
+    </message>
+    <message>
+        <source>Lets the sliders drive the motors.</source>
+        <translation>Lässt die Schieberegler die Motoren antreiben.</translation>
+    </message>
+    <message>
+        <source>No controller connected</source>
+        <translation>Kein Controller verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>trex::ConfigTransfer</name>
+    <message>
+        <source>%1: this controller takes calibration bytes in another way; the nearest value that it can take is written.</source>
+        <translation>%1: Dieser Controller nimmt Kalibrierungsbytes auf andere Weise an; geschrieben ist der nächstliegende Wert, den er annehmen kann.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::ConnectionPanel</name>
+    <message>
+        <source>%1 baud, no error detection</source>
+        <translation>%1 Baud, ohne Fehlererkennung</translation>
+    </message>
+    <message>
+        <source>%1 baud, even parity</source>
+        <translation>%1 Baud, gerade Parität</translation>
+    </message>
+    <message>
+        <source>%1 baud, odd parity</source>
+        <translation>%1 Baud, ungerade Parität</translation>
+    </message>
+    <message>
+        <source>%1 baud, CRC-7</source>
+        <translation>%1 Baud, CRC-7</translation>
+    </message>
+    <message>
+        <source>State of the link</source>
+        <translation>Zustand der Verbindung</translation>
+    </message>
+    <message>
+        <source>What to do next</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>A serial port, tcp://HOST:PORT of a serial server, or the simulator.</source>
+        <translation>Ein serieller Port, tcp://HOST:PORT eines seriellen Servers oder der Simulator.</translation>
+    </message>
+    <message>
+        <source>Po&amp;rt</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Trennen</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>S&amp;uchen</translation>
+    </message>
+    <message>
+        <source>Power c&amp;ycle</source>
+        <translation>Aus und &amp;ein</translation>
+    </message>
+    <message>
+        <source>Stops all three motors, then closes the port.</source>
+        <translation>Hält alle drei Motoren an und schließt dann den Port.</translation>
+    </message>
+    <message>
+        <source>Tries every baud rate and error detection on this port, the most likely first, until a controller answers.</source>
+        <translation>Probiert an diesem Port alle Baudraten und Fehlererkennungen, die wahrscheinlichsten zuerst, bis ein Controller antwortet.</translation>
+    </message>
+    <message>
+        <source>Switches the simulated controller off and on again.</source>
+        <translation>Schaltet den simulierten Controller aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3, at most about %4 s more).</source>
+        <translation>%1 (%2 von %3, höchstens noch etwa %4 s).</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3).</source>
+        <translation>%1 (%2 von %3).</translation>
+    </message>
+    <message>
+        <source>Found a %1, firmware %2, at %3, device number %4. Press Connect.</source>
+        <translation>%1 gefunden, Firmware %2, bei %3, Gerätenummer %4. Verbinden drücken.</translation>
+    </message>
+    <message>
+        <source>No controller answered on %1 at any speed. Check the controller's power, that ground and both data wires are connected, and that they are not swapped; then scan again or choose another port.</source>
+        <translation>An %1 hat bei keiner Geschwindigkeit ein Controller geantwortet. Prüfen, ob der Controller versorgt ist und ob Masse und beide Datenleitungen angeschlossen und nicht vertauscht sind; dann erneut suchen oder einen anderen Port wählen.</translation>
+    </message>
+    <message>
+        <source>Scan cancelled. Nothing was found so far.</source>
+        <translation>Suche abgebrochen. Bisher wurde nichts gefunden.</translation>
+    </message>
+    <message>
+        <source>Cancel &amp;scan</source>
+        <translation>S&amp;uche abbrechen</translation>
+    </message>
+    <message>
+        <source>disconnected</source>
+        <translation>getrennt</translation>
+    </message>
+    <message>
+        <source>connecting to %1, %2</source>
+        <translation>verbindet mit %1, %2</translation>
+    </message>
+    <message>
+        <source>connected to a %1, firmware %2, on %3</source>
+        <translation>verbunden mit %1, Firmware %2, an %3</translation>
+    </message>
+    <message>
+        <source>connected to %1</source>
+        <translation>verbunden mit %1</translation>
+    </message>
+    <message>
+        <source>lost: values are no longer live</source>
+        <translation>verloren: Werte sind nicht mehr aktuell</translation>
+    </message>
+    <message>
+        <source>retrying %1</source>
+        <translation>neuer Versuch mit %1</translation>
+    </message>
+    <message>
+        <source>No port found. Plug in the adapter, or simulate.</source>
+        <translation>Kein Port gefunden. Adapter einstecken oder simulieren.</translation>
+    </message>
+    <message>
+        <source>It is tried again by itself until you disconnect.</source>
+        <translation>Es wird von selbst erneut versucht, bis Sie trennen.</translation>
+    </message>
+    <message>
+        <source>On a network port, speed and parity are those of the serial server.</source>
+        <translation>Bei einem Netzwerkport gelten Geschwindigkeit und Parität des seriellen Servers.</translation>
+    </message>
+    <message>
+        <source>A controller fresh from the factory talks at 19200 baud without error detection.</source>
+        <translation>Ein Controller frisch ab Werk arbeitet mit 19200 Baud ohne Fehlererkennung.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::Controller</name>
+    <message>
+        <source>Armed: motor orders are sent.</source>
+        <translation>Scharf: Motorbefehle werden gesendet.</translation>
+    </message>
+    <message>
+        <source>Disarmed.</source>
+        <translation>Gesichert.</translation>
+    </message>
+    <message>
+        <source>A reply with latched bits was lost on the line; bits that it carried may be missing from the counts.</source>
+        <translation>Eine Antwort mit gespeicherten Bits ging auf der Leitung verloren; ihre Bits fehlen möglicherweise in den Zählern.</translation>
+    </message>
+    <message>
+        <source>The line echoes what is sent (RS-232 wiring); the echo is dropped.</source>
+        <translation>Die Leitung gibt Gesendetes als Echo zurück (RS-232-Verkabelung); das Echo wird verworfen.</translation>
+    </message>
+    <message>
+        <source>Stop sent to all three motors (%1 ms).</source>
+        <translation>Stopp an alle drei Motoren gesendet (%1 ms).</translation>
+    </message>
+    <message>
+        <source>Stop could not be sent: %1</source>
+        <translation>Stopp konnte nicht gesendet werden: %1</translation>
+    </message>
+    <message>
+        <source>Not connected: %1</source>
+        <translation>Nicht verbunden: %1</translation>
+    </message>
+    <message>
+        <source>Disconnected.</source>
+        <translation>Getrennt.</translation>
+    </message>
+    <message>
+        <source>Connecting to %1 at %2 baud.</source>
+        <translation>Verbindung zu %1 wird mit %2 Baud aufgebaut.</translation>
+    </message>
+    <message>
+        <source>Connected to a %1, firmware %2.</source>
+        <translation>Verbunden mit %1, Firmware %2.</translation>
+    </message>
+    <message>
+        <source>Connected.</source>
+        <translation>Verbunden.</translation>
+    </message>
+    <message>
+        <source>Link lost: %1</source>
+        <translation>Verbindung verloren: %1</translation>
+    </message>
+    <message>
+        <source>Link lost.</source>
+        <translation>Verbindung verloren.</translation>
+    </message>
+    <message>
+        <source>Trying again: %1</source>
+        <translation>Neuer Versuch: %1</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CurrentReadOut</name>
+    <message>
+        <source>%1 current</source>
+        <translation>Strom %1</translation>
+    </message>
+    <message>
+        <source>peak %1</source>
+        <translation>Spitze %1</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>Mittel %1</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CurrentValue</name>
+    <message>
+        <source>The scale of a TReX, about 150 mA a count, is inferred.</source>
+        <translation>Die Skala eines TReX, etwa 150 mA je Schritt, ist gefolgert.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CurrentsPanel</name>
+    <message>
+        <source>The samples of the session were cleared.</source>
+        <translation>Die Messwerte der Sitzung wurden gelöscht.</translation>
+    </message>
+    <message>
+        <source>Export the visible part</source>
+        <translation>Sichtbaren Teil exportieren</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>All samples as CSV (*.csv);;Plot as picture (*.png)</source>
+        <translation>Alle Messwerte als CSV (*.csv);;Diagramm als Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Plot saved as %1.</source>
+        <translation>Diagramm gespeichert als %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) exported to %1.</source>
+        <translation>
+            <numerusform>%n Messwert nach %1 exportiert.</numerusform>
+            <numerusform>%n Messwerte nach %1 exportiert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Record the currents to a file</source>
+        <translation>Ströme in eine Datei aufzeichnen</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording ended: %n sample(s) in %1.</source>
+        <translation>
+            <numerusform>Aufzeichnung beendet: %n Messwert in %1.</numerusform>
+            <numerusform>Aufzeichnung beendet: %n Messwerte in %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recording the currents to %1.</source>
+        <translation>Ströme werden in %1 aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Recording ended: %1</source>
+        <translation>Aufzeichnung beendet: %1</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>%1: click to end the recording</source>
+        <translation>%1: Klick beendet die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Write every sample from now on to a CSV file, at once</source>
+        <translation>Ab jetzt jeden Messwert sofort in eine CSV-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Motor currents over time</source>
+        <translation>Motorströme im Zeitverlauf</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>Gezeigte Zeit</translation>
+    </message>
+    <message>
+        <source>How much time the plot shows</source>
+        <translation>Wie viel Zeit das Diagramm zeigt</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Hold the picture still; recording goes on behind</source>
+        <translation>Bild anhalten; die Aufzeichnung läuft im Hintergrund weiter</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Show everything recorded in this session</source>
+        <translation>Alles in dieser Sitzung Aufgezeichnete zeigen</translation>
+    </message>
+    <message>
+        <source>Save all samples as CSV, or the plot as a PNG picture</source>
+        <translation>Alle Messwerte als CSV oder das Diagramm als PNG-Bild speichern</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Forget all samples of this session and start anew</source>
+        <translation>Alle Messwerte dieser Sitzung löschen und neu beginnen</translation>
+    </message>
+    <message>
+        <source>All samples or picture…</source>
+        <translation>Alle Messwerte oder Bild…</translation>
+    </message>
+    <message>
+        <source>Visible part…</source>
+        <translation>Sichtbarer Teil…</translation>
+    </message>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Motor currents are not available in joint mode.</source>
+        <translation>Im gemeinsamen Modus sind keine Motorströme verfügbar.</translation>
+    </message>
+    <message>
+        <source>No samples yet. Connect to a controller, or simulate one.</source>
+        <translation>Noch keine Messwerte. Mit einem Controller verbinden oder einen simulieren.</translation>
+    </message>
+    <message>
+        <source>not available in joint mode</source>
+        <translation>im gemeinsamen Modus nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>%1 s old</source>
+        <translation>%1 s alt</translation>
+    </message>
+</context>
+<context>
+    <name>trex::DeviceSettings</name>
+    <message>
+        <source>%1: wrote %2, read back %3</source>
+        <translation>%1: %2 geschrieben, %3 zurückgelesen</translation>
+    </message>
+    <message>
+        <source>calibration of channel %1</source>
+        <translation>Kalibrierung von Kanal %1</translation>
+    </message>
+    <message>
+        <source>calibration of channel %1: %2</source>
+        <translation>Kalibrierung von Kanal %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>trex::DockTitle</name>
+    <message>
+        <source>Tear off or put back: %1</source>
+        <translation>Ablösen oder andocken: %1</translation>
+    </message>
+    <message>
+        <source>Close: %1</source>
+        <translation>Schließen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>trex::EventLog</name>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>Information</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+</context>
+<context>
+    <name>trex::Indicator</name>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>lit</source>
+        <translation>leuchtet</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, seen %n time(s)</source>
+        <translation>
+            <numerusform>%1, %n-mal gesehen</numerusform>
+            <numerusform>%1, %n-mal gesehen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>trex::LineForm</name>
+    <message>
+        <source>Rarely changed</source>
+        <translation>Selten geändert</translation>
+    </message>
+    <message>
+        <source>&amp;Baud rate</source>
+        <translation>&amp;Baudrate</translation>
+    </message>
+    <message>
+        <source>As set in the controller; it leaves the factory with 19200.</source>
+        <translation>Wie im Controller eingestellt; ab Werk 19200.</translation>
+    </message>
+    <message>
+        <source>&amp;Error detection</source>
+        <translation>Fehlerer&amp;kennung</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Even parity</source>
+        <translation>Gerade Parität</translation>
+    </message>
+    <message>
+        <source>Odd parity</source>
+        <translation>Ungerade Parität</translation>
+    </message>
+    <message>
+        <source>CRC-7</source>
+        <translation>CRC-7</translation>
+    </message>
+    <message>
+        <source>As set in the controller; it leaves the factory with none.</source>
+        <translation>Wie im Controller eingestellt; ab Werk keine.</translation>
+    </message>
+    <message>
+        <source>Packet &amp;form</source>
+        <translation>Paketfor&amp;m</translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation>Kompakt</translation>
+    </message>
+    <message>
+        <source>Pololu</source>
+        <translation>Pololu</translation>
+    </message>
+    <message>
+        <source>The controller understands both. Pololu packets name the device, for several on one line.</source>
+        <translation>Der Controller versteht beide. Pololu-Pakete nennen das Gerät, für mehrere an einer Leitung.</translation>
+    </message>
+    <message>
+        <source>Device &amp;number</source>
+        <translation>&amp;Gerätenummer</translation>
+    </message>
+    <message>
+        <source>Only packets in the Pololu form carry it.</source>
+        <translation>Nur Pakete in der Pololu-Form enthalten sie.</translation>
+    </message>
+    <message>
+        <source>Of CRC-7, most significant bit set; 0x89 unless changed.</source>
+        <translation>Für CRC-7, höchstes Bit gesetzt; 0x89, sofern nicht geändert.</translation>
+    </message>
+    <message>
+        <source>CRC &amp;polynomial</source>
+        <translation>CRC-Pol&amp;ynom</translation>
+    </message>
+    <message>
+        <source>St&amp;op bits</source>
+        <translation>Stoppb&amp;its</translation>
+    </message>
+    <message>
+        <source>Ec&amp;ho</source>
+        <translation>Ech&amp;o</translation>
+    </message>
+    <message>
+        <source>Found out</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Line echoes</source>
+        <translation>Mit Echo</translation>
+    </message>
+    <message>
+        <source>No echo</source>
+        <translation>Ohne Echo</translation>
+    </message>
+    <message>
+        <source>RS-232 wiring brings back what is sent; those bytes are dropped.</source>
+        <translation>RS-232-Verkabelung bringt Gesendetes zurück; diese Bytes werden verworfen.</translation>
+    </message>
+    <message>
+        <source>Reply &amp;timeout</source>
+        <translation>Antwo&amp;rtfrist</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>How long to wait for a reply, above its time on the wire.</source>
+        <translation>Wartezeit auf eine Antwort, über die Übertragungszeit hinaus.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::LinkStatusBar</name>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>verbindet</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>link lost, trying again</source>
+        <translation>Verbindung verloren, neuer Versuch</translation>
+    </message>
+    <message>
+        <source>disconnected</source>
+        <translation>getrennt</translation>
+    </message>
+    <message>
+        <source>State of the link</source>
+        <translation>Zustand der Verbindung</translation>
+    </message>
+    <message>
+        <source>Transactions a second</source>
+        <translation>Transaktionen je Sekunde</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>Umlaufzeit</translation>
+    </message>
+    <message>
+        <source>Errors of the link</source>
+        <translation>Fehler der Verbindung</translation>
+    </message>
+    <message>
+        <source>Rates that the line allows</source>
+        <translation>Von der Leitung zugelassene Raten</translation>
+    </message>
+    <message>
+        <source>%1 transactions/s</source>
+        <translation>%1 Transaktionen/s</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n Fehler</numerusform>
+            <numerusform>%n Fehler</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No reply in time: %1
+Reply failed its CRC: %2
+Implausible reply: %3
+Asked again: %4
+Late or foreign bytes dropped: %5</source>
+        <translation>Keine Antwort rechtzeitig: %1
+Antwort mit CRC-Fehler: %2
+Unplausible Antwort: %3
+Erneut gefragt: %4
+Verspätete oder fremde Bytes verworfen: %5</translation>
+    </message>
+    <message>
+        <source>line too slow: %1 %2 of %3 Hz</source>
+        <translation>Leitung zu langsam: %1 %2 von %3 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>trex::LogPanel</name>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the log</source>
+        <translation>Protokoll kopieren</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save the log</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>Log saved to %1.</source>
+        <translation>Protokoll in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The log could not be saved to %1: %2. Choose another place.</source>
+        <translation>Das Protokoll konnte nicht in %1 gespeichert werden: %2. Anderen Ort wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::MainWindow</name>
+    <message>
+        <source>TReX Panel</source>
+        <translation>TReX Panel</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Put all panels back</source>
+        <translation>Alle Bereiche zurückstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>About and licences</source>
+        <translation>Info und Lizenzen</translation>
+    </message>
+</context>
+<context>
+    <name>trex::MotorRow</name>
+    <message>
+        <source>%1 speed</source>
+        <translation>Drehzahl %1</translation>
+    </message>
+    <message>
+        <source>%1 commanded speed</source>
+        <translation>Befohlene Drehzahl %1</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Null</translation>
+    </message>
+    <message>
+        <source>%1 to zero</source>
+        <translation>%1 auf null</translation>
+    </message>
+    <message>
+        <source>Arrow keys: one step. Page keys: eight. Space or Home: zero.</source>
+        <translation>Pfeiltasten: ein Schritt. Bildtasten: acht. Leertaste oder Pos1: null.</translation>
+    </message>
+    <message>
+        <source>%1 braking duty</source>
+        <translation>Bremsgrad %1</translation>
+    </message>
+    <message>
+        <source>Braking duty: 0 coasts, 127 brakes fully.</source>
+        <translation>Bremsgrad: 0 lässt auslaufen, 127 bremst voll.</translation>
+    </message>
+    <message>
+        <source>Brake</source>
+        <translation>Bremsen</translation>
+    </message>
+    <message>
+        <source>Brake %1</source>
+        <translation>%1 bremsen</translation>
+    </message>
+    <message>
+        <source>brake %1</source>
+        <translation>Bremse %1</translation>
+    </message>
+</context>
+<context>
+    <name>trex::MotorsPanel</name>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+    <message>
+        <source>Arm the motors</source>
+        <translation>Motoren scharf schalten</translation>
+    </message>
+    <message>
+        <source>Stop all motors</source>
+        <translation>Alle Motoren anhalten</translation>
+    </message>
+    <message>
+        <source>How a speed is reached</source>
+        <translation>Wie eine Drehzahl erreicht wird</translation>
+    </message>
+    <message>
+        <source>Set at once</source>
+        <translation>Sofort setzen</translation>
+    </message>
+    <message>
+        <source>Accelerate</source>
+        <translation>Beschleunigen</translation>
+    </message>
+    <message>
+        <source>Link 1 and 2</source>
+        <translation>1 und 2 koppeln</translation>
+    </message>
+    <message>
+        <source>Move both motors together</source>
+        <translation>Beide Motoren gemeinsam bewegen</translation>
+    </message>
+    <message>
+        <source>What orders do</source>
+        <translation>Was Befehle bewirken</translation>
+    </message>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>Auxiliary motor</source>
+        <translation>Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>Serial does not control the motors now: an order waits in the controller and acts the moment serial override starts.</source>
+        <translation>Die Motoren werden jetzt nicht seriell gesteuert: Ein Befehl wartet im Controller und wirkt, sobald die serielle Übernahme beginnt.</translation>
+    </message>
+    <message>
+        <source>Joint mode: motor 1 orders drive both H-bridges; motor 2 has none.</source>
+        <translation>Gemeinsamer Modus: Befehle für Motor 1 steuern beide H-Brücken; Motor 2 hat keine.</translation>
+    </message>
+    <message>
+        <source>Accelerate keeps to the acceleration, brake duration and current limit parameters.</source>
+        <translation>Beschleunigen hält die Parameter für Beschleunigung, Bremsdauer und Stromgrenze ein.</translation>
+    </message>
+    <message>
+        <source>Set acts at once and overrides current limiting for the moment.</source>
+        <translation>Setzen wirkt sofort und übergeht vorübergehend die Strombegrenzung.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::PacketComposer</name>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>S&amp;end</source>
+        <translation>S&amp;enden</translation>
+    </message>
+    <message>
+        <source>Send the packet</source>
+        <translation>Paket senden</translation>
+    </message>
+    <message>
+        <source>The packet as it will be sent</source>
+        <translation>Das Paket, wie es gesendet wird</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Motor 2 direction</source>
+        <translation>Richtung Motor 2</translation>
+    </message>
+    <message>
+        <source>Bytes in hex</source>
+        <translation>Bytes hexadezimal</translation>
+    </message>
+    <message>
+        <source>Reply bytes</source>
+        <translation>Antwortbytes</translation>
+    </message>
+    <message>
+        <source>How many bytes to wait for, the CRC byte not counted.</source>
+        <translation>Anzahl der erwarteten Bytes, ohne CRC-Byte.</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>Brake</source>
+        <translation>Bremsen</translation>
+    </message>
+    <message>
+        <source>Raw bytes (hex)</source>
+        <translation>Rohe Bytes (hex)</translation>
+    </message>
+    <message>
+        <source>Motor 1 direction</source>
+        <translation>Richtung Motor 1</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>The sum of 1, 2, 4, 8 and 16 for channels 1 to 5.</source>
+        <translation>Die Summe aus 1, 2, 4, 8 und 16 für die Kanäle 1 bis 5.</translation>
+    </message>
+    <message>
+        <source>Sends %1, as given.</source>
+        <translation>Sendet %1, wie angegeben.</translation>
+    </message>
+    <message>
+        <source>Sends the bytes as given, without packet form and CRC.</source>
+        <translation>Sendet die Bytes wie angegeben, ohne Paketform und CRC.</translation>
+    </message>
+    <message>
+        <source>Sends %1: %2</source>
+        <translation>Sendet %1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: give the bytes in hex, such as 86 1F.</source>
+        <translation>Nichts wurde gesendet: Bytes hexadezimal angeben, etwa 86 1F.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: "%1" is not bytes in hex, such as 86 1F.</source>
+        <translation>Nichts wurde gesendet: „%1“ sind keine hexadezimalen Bytes, etwa 86 1F.</translation>
+    </message>
+    <message>
+        <source>Sent %1; no reply is due.</source>
+        <translation>%1 gesendet; keine Antwort vorgesehen.</translation>
+    </message>
+    <message>
+        <source>Received %1 after %2 ms</source>
+        <translation>%1 nach %2 ms empfangen</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>trex::PacketEntry</name>
+    <message>
+        <source>Raw bytes</source>
+        <translation>Rohe Bytes</translation>
+    </message>
+    <message>
+        <source>Raw: %1</source>
+        <translation>Roh: %1</translation>
+    </message>
+    <message>
+        <source>attempt %1</source>
+        <translation>Versuch %1</translation>
+    </message>
+</context>
+<context>
+    <name>trex::PacketModel</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Gesendet</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Empfangen</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Round trip (ms)</source>
+        <translation>Umlaufzeit (ms)</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>trex::PacketsPanel</name>
+    <message>
+        <source>All packets</source>
+        <translation>Alle Pakete</translation>
+    </message>
+    <message>
+        <source>Motor commands</source>
+        <translation>Motorbefehle</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Queries asked for</source>
+        <translation>Einzelabfragen</translation>
+    </message>
+    <message>
+        <source>Polls</source>
+        <translation>Laufende Abfragen</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Filter the packets</source>
+        <translation>Pakete filtern</translation>
+    </message>
+    <message>
+        <source>Filter by meaning, hex or key</source>
+        <translation>Nach Bedeutung, Hex oder Schlüssel filtern</translation>
+    </message>
+    <message>
+        <source>Kind of packets shown</source>
+        <translation>Art der gezeigten Pakete</translation>
+    </message>
+    <message>
+        <source>Pause the list</source>
+        <translation>Liste anhalten</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Hold the list still; recording goes on behind</source>
+        <translation>Liste anhalten; die Aufzeichnung läuft im Hintergrund weiter</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Packets</source>
+        <translation>Pakete</translation>
+    </message>
+    <message>
+        <source>Counts of packets</source>
+        <translation>Anzahl der Pakete</translation>
+    </message>
+    <message>
+        <source>%1 of %2 packets shown</source>
+        <translation>%1 von %2 Paketen gezeigt</translation>
+    </message>
+    <message>
+        <source>paused, %1 more recorded</source>
+        <translation>angehalten, %1 weitere aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>the oldest %1 were dropped</source>
+        <translation>die ältesten %1 verworfen</translation>
+    </message>
+</context>
+<context>
+    <name>trex::ParameterModel</name>
+    <message>
+        <source>Stored, but not in force before the controller's power is switched off and on.</source>
+        <translation>Gespeichert, gilt aber erst nach dem Aus- und Einschalten des Controllers.</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>In controller</source>
+        <translation>Im Controller</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>not default</source>
+        <translation>abweichend</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>power cycle</source>
+        <translation>Aus/Ein nötig</translation>
+    </message>
+    <message>
+        <source>edited</source>
+        <translation>bearbeitet</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>≈ The vendor does not state the default: %1.</source>
+        <translation>≈ Der Hersteller gibt den Standard nicht an: %1.</translation>
+    </message>
+    <message>
+        <source>(unsure) The meaning is not stated by the vendor: %1.</source>
+        <translation>(unsicher) Der Hersteller gibt die Bedeutung nicht an: %1.</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Quelle: %1</translation>
+    </message>
+</context>
+<context>
+    <name>trex::ParameterTable</name>
+    <message>
+        <source>Auxiliary motor PWM maximum</source>
+        <translation>PWM-Maximum Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>power cycle</source>
+        <translation>Aus/Ein nötig</translation>
+    </message>
+    <message>
+        <source>channels 1, 2, 3 (00)</source>
+        <translation>Kanäle 1, 2, 3 (00)</translation>
+    </message>
+    <message>
+        <source>≈ no channel (0)</source>
+        <translation>≈ kein Kanal (0)</translation>
+    </message>
+    <message>
+        <source>channels 1 to 5</source>
+        <translation>Kanäle 1 bis 5</translation>
+    </message>
+    <message>
+        <source>This controller did not tell its value of this parameter.</source>
+        <translation>Dieser Controller hat seinen Wert für diesen Parameter nicht mitgeteilt.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::ParametersPanel</name>
+    <message>
+        <source>The connection is lost: values are unknown until it is back. Your edits are kept.</source>
+        <translation>Die Verbindung ist verloren: Werte sind unbekannt, bis sie wieder da ist. Änderungen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Not connected. Connect to read the controller's parameters.</source>
+        <translation>Nicht verbunden. Verbinden, um die Parameter des Controllers zu lesen.</translation>
+    </message>
+    <message>
+        <source>Writing to the controller.</source>
+        <translation>Schreiben in den Controller.</translation>
+    </message>
+    <message>
+        <source>Reading all parameters from the controller.</source>
+        <translation>Lesen aller Parameter aus dem Controller.</translation>
+    </message>
+    <message>
+        <source>Waiting for the controller to tell its mode.</source>
+        <translation>Warten, bis der Controller seinen Modus mitteilt.</translation>
+    </message>
+    <message>
+        <source>These can be read but not changed: the controller is in %1 mode. Switch its power off, take the mode jumper off, and switch it on again.</source>
+        <translation>Lesbar, aber nicht änderbar: Der Controller ist im %1-Modus. Ausschalten, Modus-Steckbrücke abziehen und wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>RC</source>
+        <translation>RC</translation>
+    </message>
+    <message>
+        <source>analog</source>
+        <translation>Analog</translation>
+    </message>
+    <message>
+        <source>Needs a power cycle: switch the controller off and on to put in force: %1.</source>
+        <translation>Aus- und Einschalten des Controllers nötig; erst danach gilt: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing to write.</source>
+        <translation>Nichts zu schreiben.</translation>
+    </message>
+    <message>
+        <source>Will be written: %1.</source>
+        <translation>Wird geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Needs a power cycle afterwards: %1.</source>
+        <translation>Aus- und Einschalten danach nötig: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is written to the controller, because the present settings could not be saved first: %1 Apply once more to write without that copy.</source>
+        <translation>Nichts wird in den Controller geschrieben, weil die jetzigen Einstellungen vorher nicht gespeichert werden konnten: %1 Nochmals Übernehmen drücken, um ohne diese Kopie zu schreiben.</translation>
+    </message>
+    <message>
+        <source>The settings as they were are saved in %1.</source>
+        <translation>Die bisherigen Einstellungen sind in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The factory defaults are filled in; nothing is written before Apply.</source>
+        <translation>Die Werkseinstellungen sind eingetragen; geschrieben wird erst mit Übernehmen.</translation>
+    </message>
+    <message>
+        <source>Of the values that would change, %1 are marked ≈: the vendor does not state them, they are guesses.</source>
+        <translation>Von den Werten, die sich ändern würden, sind %1 mit ≈ markiert: Der Hersteller gibt sie nicht an, sie sind vermutet.</translation>
+    </message>
+    <message>
+        <source>Save the controller's settings</source>
+        <translation>Einstellungen des Controllers speichern</translation>
+    </message>
+    <message>
+        <source>Configuration (*.json)</source>
+        <translation>Konfiguration (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing is saved: not all settings are read from the controller. Reload, then save again.</source>
+        <translation>Nichts gespeichert: Nicht alle Einstellungen sind aus dem Controller gelesen. Neu lesen, dann erneut speichern.</translation>
+    </message>
+    <message>
+        <source>What is in the controller is saved in %1.</source>
+        <translation>Der Inhalt des Controllers ist in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>What is in the controller is saved in %1; edits that are not applied are not in it.</source>
+        <translation>Der Inhalt des Controllers ist in %1 gespeichert; nicht übernommene Änderungen sind nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Load settings</source>
+        <translation>Einstellungen laden</translation>
+    </message>
+    <message>
+        <source>%1 says what is in the controller already.</source>
+        <translation>%1 entspricht bereits dem Inhalt des Controllers.</translation>
+    </message>
+    <message>
+        <source>%1 is filled in; nothing is written before Apply.</source>
+        <translation>%1 ist eingetragen; geschrieben wird erst mit Übernehmen.</translation>
+    </message>
+    <message>
+        <source>Left out, since this controller does not have them: %1.</source>
+        <translation>Ausgelassen, da dieser Controller sie nicht hat: %1.</translation>
+    </message>
+    <message>
+        <source>Search parameters</source>
+        <translation>Parameter suchen</translation>
+    </message>
+    <message>
+        <source>Search name, key, number or help</source>
+        <translation>Name, Schlüssel, Nummer oder Hilfe suchen</translation>
+    </message>
+    <message>
+        <source>Re&amp;load</source>
+        <translation>&amp;Neu lesen</translation>
+    </message>
+    <message>
+        <source>Read everything from the controller again; edits stay</source>
+        <translation>Alles erneut aus dem Controller lesen; Änderungen bleiben</translation>
+    </message>
+    <message>
+        <source>&amp;Defaults</source>
+        <translation>Standa&amp;rd</translation>
+    </message>
+    <message>
+        <source>Fill in the factory defaults; nothing is written before Apply</source>
+        <translation>Werkseinstellungen eintragen; geschrieben wird erst mit Übernehmen</translation>
+    </message>
+    <message>
+        <source>Loa&amp;d…</source>
+        <translation>&amp;Laden…</translation>
+    </message>
+    <message>
+        <source>Fill in the values of a file; nothing is written before Apply</source>
+        <translation>Werte einer Datei eintragen; geschrieben wird erst mit Übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>Spei&amp;chern…</translation>
+    </message>
+    <message>
+        <source>Save what is in the controller to a file</source>
+        <translation>Inhalt des Controllers in eine Datei speichern</translation>
+    </message>
+    <message>
+        <source>State of the parameters</source>
+        <translation>Zustand der Parameter</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Help on the parameter</source>
+        <translation>Hilfe zum Parameter</translation>
+    </message>
+    <message>
+        <source>What happened last</source>
+        <translation>Was zuletzt geschah</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop writing and put back what was written</source>
+        <translation>Schreiben abbrechen und Geschriebenes zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Revert</source>
+        <translation>Ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>Drop all edits</source>
+        <translation>Alle Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>Ü&amp;bernehmen</translation>
+    </message>
+    <message>
+        <source>Write what differs to the controller now and read it back</source>
+        <translation>Abweichendes jetzt in den Controller schreiben und zurücklesen</translation>
+    </message>
+</context>
+<context>
+    <name>trex::PlotView</name>
+    <message>
+        <source>Arrow keys pan, plus and minus zoom, with Ctrl the values; Home shows the start, End follows the newest, F shows everything, P pauses.</source>
+        <translation>Pfeiltasten verschieben, Plus und Minus zoomen, mit Strg die Werte; Pos1 zeigt den Anfang, Ende folgt dem Neuesten, F zeigt alles, P pausiert.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::PortBox</name>
+    <message>
+        <source>simulated controller</source>
+        <translation>simulierter Controller</translation>
+    </message>
+    <message>
+        <source>Simulated controller</source>
+        <translation>Simulierter Controller</translation>
+    </message>
+</context>
+<context>
+    <name>trex::Program</name>
+    <message>
+        <source>The demonstration wrote to %1:</source>
+        <translation>Die Vorführung schrieb nach %1:</translation>
+    </message>
+</context>
+<context>
+    <name>trex::Scan</name>
+    <message>
+        <source>Trying %1 baud, error detection %2</source>
+        <extracomment>%1 a baud rate; %2 none, even, odd or crc7</extracomment>
+        <translation>Versuch mit %1 Baud, Fehlererkennung %2</translation>
+    </message>
+    <message>
+        <source>%1, device %2</source>
+        <translation>%1, Gerät %2</translation>
+    </message>
+</context>
+<context>
+    <name>trex::StatusPanel</name>
+    <message>
+        <source>Motor 1 fault</source>
+        <translation>Störung Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 1 over limit</source>
+        <translation>Überstrom Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2 fault</source>
+        <translation>Störung Motor 2</translation>
+    </message>
+    <message>
+        <source>Motor 2 over limit</source>
+        <translation>Überstrom Motor 2</translation>
+    </message>
+    <message>
+        <source>UART error</source>
+        <translation>UART-Fehler</translation>
+    </message>
+    <message>
+        <source>Serial timeout</source>
+        <translation>Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>Packet format</source>
+        <translation>Paketformat</translation>
+    </message>
+    <message>
+        <source>CRC</source>
+        <translation>CRC</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Data overrun</source>
+        <translation>Datenüberlauf</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parität</translation>
+    </message>
+    <message>
+        <source>Read buffer overrun</source>
+        <translation>Lesepufferüberlauf</translation>
+    </message>
+    <message>
+        <source>Send buffer overrun</source>
+        <translation>Sendepufferüberlauf</translation>
+    </message>
+    <message>
+        <source>RC</source>
+        <translation>RC</translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation>Analog</translation>
+    </message>
+    <message>
+        <source>Serial (RC)</source>
+        <translation>Seriell (RC)</translation>
+    </message>
+    <message>
+        <source>Serial (analog)</source>
+        <translation>Seriell (analog)</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Signatur</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Motors follow</source>
+        <translation>Motoren folgen</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>Kalibriert</translation>
+    </message>
+    <message>
+        <source>Status byte</source>
+        <translation>Statusbyte</translation>
+    </message>
+    <message>
+        <source>UART error byte</source>
+        <translation>UART-Fehlerbyte</translation>
+    </message>
+    <message>
+        <source>Clear counts</source>
+        <translation>Zähler löschen</translation>
+    </message>
+    <message>
+        <source>Clear the counts of seen bits</source>
+        <translation>Zähler der gesehenen Bits löschen</translation>
+    </message>
+    <message>
+        <source>Forgets how often each bit was seen. The controller's own bits are cleared by every read.</source>
+        <translation>Vergisst, wie oft jedes Bit gesehen wurde. Die Bits im Controller selbst löscht jedes Lesen.</translation>
+    </message>
+    <message>
+        <source>serial orders (serial mode)</source>
+        <translation>seriellen Befehlen (serieller Modus)</translation>
+    </message>
+    <message>
+        <source>serial orders (override by channel 5)</source>
+        <translation>seriellen Befehlen (Übernahme durch Kanal 5)</translation>
+    </message>
+    <message>
+        <source>the RC channels (mode jumper)</source>
+        <translation>den RC-Kanälen (Modus-Steckbrücke)</translation>
+    </message>
+    <message>
+        <source>the analog channels (mode jumper)</source>
+        <translation>den Analogkanälen (Modus-Steckbrücke)</translation>
+    </message>
+    <message>
+        <source>no channel (defaults)</source>
+        <translation>kein Kanal (Standard)</translation>
+    </message>
+    <message>
+        <source>channels %1</source>
+        <translation>Kanäle %1</translation>
+    </message>
+    <message>
+        <source>Not seen.</source>
+        <translation>Nicht gesehen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Seen %n time(s), first %1, last %2.</source>
+        <translation>
+            <numerusform>%n-mal gesehen, zuerst %1, zuletzt %2.</numerusform>
+            <numerusform>%n-mal gesehen, zuerst %1, zuletzt %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>trex::StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Stop all motors</source>
+        <translation>Alle Motoren anhalten</translation>
+    </message>
+    <message>
+        <source>Stops all three motors at once (Esc, from anywhere).</source>
+        <translation>Hält sofort alle drei Motoren an (Esc, von überall).</translation>
+    </message>
+</context>
+<context>
+    <name>trex::WhyLine</name>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>braking %1 %</source>
+        <translation>bremst %1 %</translation>
+    </message>
+    <message>
+        <source>at zero</source>
+        <translation>auf null</translation>
+    </message>
+    <message>
+        <source>forward %1 %</source>
+        <translation>vorwärts %1 %</translation>
+    </message>
+    <message>
+        <source>reverse %1 %</source>
+        <translation>rückwärts %1 %</translation>
+    </message>
+    <message>
+        <source>Why the motors do or do not move</source>
+        <translation>Warum die Motoren laufen oder nicht</translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation>Verbindung zu %1 wird aufgebaut…</translation>
+    </message>
+    <message>
+        <source>%1 Trying again.</source>
+        <translation>%1 Neuer Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>The link is lost: what the motors do now is not known. Trying again.</source>
+        <translation>Die Verbindung ist verloren: Was die Motoren jetzt tun, ist unbekannt. Neuer Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>Not connected: connect to a controller, or simulate one.</source>
+        <translation>Nicht verbunden: mit einem Controller verbinden oder einen simulieren.</translation>
+    </message>
+    <message>
+        <source>motor 1 %1, motor 2 %2, auxiliary %3</source>
+        <translation>Motor 1 %1, Motor 2 %2, Hilfsmotor %3</translation>
+    </message>
+    <message>
+        <source>Command pending: the channels control the motors now. It acts at the moment serial takes over.</source>
+        <translation>Befehl wartet: Jetzt steuern die Kanäle die Motoren. Er wirkt, sobald die serielle Übernahme beginnt.</translation>
+    </message>
+    <message>
+        <source>Armed, but the channels control the motors: commands will wait in the controller.</source>
+        <translation>Scharf, aber die Kanäle steuern die Motoren: Befehle warten im Controller.</translation>
+    </message>
+    <message>
+        <source>Driving: %1.</source>
+        <translation>Angetrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Armed: move a slider to drive. Esc stops.</source>
+        <translation>Scharf: zum Fahren einen Schieberegler bewegen. Esc hält an.</translation>
+    </message>
+    <message>
+        <source>Stopped: all motors were told to stop. Arm to drive again.</source>
+        <translation>Gestoppt: Allen Motoren wurde Stopp befohlen. Zum Weiterfahren scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Disarmed. The channels control the motors now.</source>
+        <translation>Gesichert. Jetzt steuern die Kanäle die Motoren.</translation>
+    </message>
+    <message>
+        <source>Disarmed. The controller is in RC or analog mode: its channels control the motors.</source>
+        <translation>Gesichert. Der Controller ist im RC- oder Analogmodus: Seine Kanäle steuern die Motoren.</translation>
+    </message>
+    <message>
+        <source>Disarmed: nothing is sent to the motors. Arm to drive them.</source>
+        <translation>Gesichert: An die Motoren wird nichts gesendet. Zum Antreiben scharf schalten.</translation>
+    </message>
+</context>
 </TS>

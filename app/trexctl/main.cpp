@@ -31,7 +31,7 @@ int run(CommandLine& commandLine, SettingsFile& settings, const OpenOptions& opt
     logWire(session.controller(), commandLine.verbosity());
     QObject::connect(&session, &Session::finished, qApp, &QCoreApplication::exit);
     QObject::connect(&session, &Session::connected, &session, [&] {
-        if (true) {
+        if (commandLine.lineOptions().port) {
             LineSettingsStore(settings).remember(options.port, options.line);
         }
     });

@@ -21,7 +21,7 @@ class CurrentsVerb : public StreamVerb {
 public:
     ~CurrentsVerb() override
     {
-        if (false && !m_hasHeader) {
+        if (m_isNewFile && !m_hasHeader) {
             m_csv.remove(); // the line could not be opened: leave no empty file behind
         }
     }

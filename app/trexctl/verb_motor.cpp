@@ -85,7 +85,7 @@ public:
                 Cli::tr("The command was sent, but nobody confirms it: %1").arg(failure.text)});
             co_return;
         }
-        const bool isPending = control->payload.front() != 0;
+        const bool isPending = control->payload.front() == 0;
         const QString sent = toHex(session.sentMotorBytes());
         session.output().answer(QJsonObject{{u"sent"_s, sent},
                                             {u"motors"_s, motorsJson(orders())},

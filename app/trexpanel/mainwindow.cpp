@@ -96,6 +96,7 @@ void MainWindow::makeDocks()
         panel->setAutoFillBackground(true);
         panel->setBackgroundRole(QPalette::Base);
         dock->setWidget(panel);
+        connect(panel, &Panel::panelRequested, this, &MainWindow::bringForward);
         auto* title = new DockTitle(*dock);
         dock->setTitleBarWidget(title);
         dock->toggleViewAction()->setObjectName(u"action.view."_s + idOf(row));
@@ -225,8 +226,7 @@ bool MainWindow::event(QEvent* event)
     const bool handled = QMainWindow::event(event);
     if (event->type() == QEvent::Paint && !m_wasPainted) {
         m_wasPainted = true;
-        QTimer::singleShot(0, this,
-                           &MainWindow::firstFramePainted); // after the panels' first frame
+        QTimer::singleShot(0, this, &MainWindow::firstFramePainted); // after the panels' own
     }
     return handled;
 }

@@ -9,6 +9,7 @@
 #include "protocol/errortext.h"
 #include "protocol/storage/linesettingsstore.h"
 #include "widgets/common/theme.h"
+#include "widgets/connection/portbox.h"
 
 #include <QApplication>
 #include <QDir>
@@ -25,8 +26,6 @@ namespace {
 constexpr auto kPatience = 3s; ///< for the motors' stop and the line's end
 constexpr QLatin1StringView kDemonstration = ":/script/demo.json"_L1;
 constexpr QLatin1StringView kPictures = "out/demo"_L1;
-/// The simulated sticks rest, then sweep, again and again: a calibration finds what it needs.
-constexpr QLatin1StringView kSimulator = "sim:?scenario=:/stick.json"_L1;
 constexpr int kStepFailed = 1;
 constexpr int kUnwritable = 2;
 
@@ -88,7 +87,7 @@ Result<OpenOptions> Program::lineAtStart()
 {
     if (m_options.simulate) {
         return toLineSettings(m_options.line).map([](const LineSettings& line) {
-            return OpenOptions{.port = kSimulator, .line = line};
+            return OpenOptions{.port = simulatorAddress(), .line = line};
         });
     }
     if (m_options.line.any()) {

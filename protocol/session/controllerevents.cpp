@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Controller's receiving half: what the link thread reports.
+#include "protocol/codec/packet.h"
 #include "protocol/errortext.h"
 #include "protocol/session/controller.h"
+#include "protocol/session/linkengine.h"
 #include "protocol/session/linkthread.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -83,11 +85,19 @@ void Controller::onOutcome(const Outcome& outcome)
 /// reading has cleared them in the controller.
 void Controller::learnFrom(const Reply& reply)
 {
-    if (reply.payload.isEmpty() || reply.command.opcode == 0) {
+    if (reply.payload.isEmpty()) {
         return;
     }
+    Command asked = reply.command;
+    if (asked.opcode == 0) { // sent as raw bytes; they may be a packet all the same
+        const auto packet = decodePacket(reply.sentBytes, m_options.line);
+        if (!packet || replyLength(packet->command) != reply.payload.size()) {
+            return;
+        }
+        asked = packet->command;
+    }
     for (const PollRow& row : kPolls) {
-        if (!row.hasMask && reply.command == pollCommand(row.id)) {
+        if (!row.hasMask && asked == pollCommand(row.id) && isPlausible(asked, reply.payload)) {
             onSample(decodePoll(row.id, reply.payload, reply.received));
         }
     }

@@ -15,6 +15,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/common/uisettings.h"
 
+#include <QFile>
 #include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
@@ -42,12 +43,13 @@ public:
                 });
         connect(&controller, &Controller::eventLogged, this,
                 [this](int severity, const QString& text) { log.add(severity, text); });
-        panel.resize(panel.sizeHint().expandedTo({320, 360}));
+        panel.resize(760, 480);
         panel.show();
     }
 
     [[nodiscard]] bool connectTo(const QString& port)
     {
+        constexpr int kLongMs = 30'000;
         OpenOptions options;
         options.port = port;
         controller.open(options);
@@ -55,7 +57,12 @@ public:
             [this] {
                 return controller.state() == LinkState::Connected && controller.device().mode;
             },
-            10'000);
+            kLongMs);
+    }
+    [[nodiscard]] QByteArray contents(const QString& name) const
+    {
+        QFile written(folder.filePath(name));
+        return written.open(QIODevice::ReadOnly) ? written.readAll() : QByteArray();
     }
 
     template <class T>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/widgets/panelbench.h"
+#include "tests/support/panelbench.h"
 #include "widgets/channels/channelbar.h"
 #include "widgets/channels/channelspanel.h"
 #include "widgets/common/theme.h"
@@ -198,9 +198,10 @@ void TestChannelsPanel::panel_turnsStaleWhenTheLinkCloses()
 void TestChannelsPanel::calibrate_isAsked()
 {
     const Bench bench;
-    QSignalSpy spy(&bench.panel, &ChannelsPanel::calibrateRequested);
+    QSignalSpy spy(&bench.panel, &Panel::panelRequested);
     QTest::mouseClick(bench.part<QPushButton>(u"channels.calibrate"_s), Qt::LeftButton);
     QCOMPARE(spy.size(), 1);
+    QCOMPARE(spy.front().front().toString(), u"calibration"_s);
 }
 
 QTEST_MAIN(TestChannelsPanel)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/linesettingsstore.h"
-#include "tests/widgets/panelbench.h"
+#include "tests/support/panelbench.h"
 #include "widgets/connection/connectionpanel.h"
 #include "widgets/connection/lineform.h"
 #include "widgets/connection/portbox.h"
@@ -67,7 +67,7 @@ private slots:
     {
         Bench bench;
         port(bench.panel)->setLister([] { return QList<PortInfo>{}; });
-        QCOMPARE(port(bench.panel)->itemData(0).toString(), u"sim:?scenario=:/script/stick.json"_s);
+        QCOMPARE(port(bench.panel)->itemData(0).toString(), u"sim:?scenario=:/stick.json"_s);
         QCOMPARE(state(bench.panel), u"disconnected"_s);
         QVERIFY(in<QLabel>(bench.panel, u"state"_s)->text().startsWith(u"disconnected"_s));
         port(bench.panel)->setAddress(simulatorAddress());

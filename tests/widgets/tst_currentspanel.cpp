@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/widgets/panelbench.h"
+#include "tests/support/panelbench.h"
 #include "widgets/common/plotview.h"
 #include "widgets/currents/currentreadout.h"
 #include "widgets/currents/currentspanel.h"

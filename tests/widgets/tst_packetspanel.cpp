@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/codec/packet.h"
-#include "tests/widgets/panelbench.h"
+#include "tests/support/panelbench.h"
 #include "widgets/packets/composedpacket.h"
 #include "widgets/packets/packetmodel.h"
 #include "widgets/packets/packetspanel.h"

@@ -44,9 +44,7 @@ bool hasNumbers(Step step)
 
 void setColour(QWidget* widget, ColourRole role)
 {
-    QPalette palette = widget->palette();
-    palette.setColor(QPalette::WindowText, theme::colour(role));
-    widget->setPalette(palette);
+    theme::setTextColour(*widget, role);
 }
 
 /// The numbers to show: what is in the controller, as far as is known; while reviewing and writing,

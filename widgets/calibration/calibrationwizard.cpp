@@ -133,15 +133,10 @@ QString CalibrationWizard::page() const
 void CalibrationWizard::applyTheme()
 {
     m_instruction->setFont(theme::font(1.5));
-    const auto dim = [](QWidget* widget) {
-        QPalette palette = widget->palette();
-        palette.setColor(QPalette::WindowText, theme::colour(ColourRole::DimText));
-        widget->setPalette(palette);
-    };
     for (QLabel* header : m_headers) {
-        dim(header);
+        theme::setTextColour(*header, ColourRole::DimText);
     }
-    dim(m_steps);
+    theme::setTextColour(*m_steps, ColourRole::DimText);
     dim(m_reason);
     for (CalibrationRow* row : m_rows) {
         row->applyTheme();

@@ -86,7 +86,8 @@ ChannelsPanel::ChannelsPanel(PanelContext& panelContext, QWidget* parent)
     footer->addWidget(m_input, 1);
     footer->addWidget(m_calibrate);
     grid->addLayout(footer, last + 1, 0, 1, 4);
-    connect(m_calibrate, &QPushButton::clicked, this, &ChannelsPanel::calibrateRequested);
+    connect(m_calibrate, &QPushButton::clicked, this,
+            [this] { emit panelRequested(u"calibration"_s); });
 
     connect(&context().ticker, &FrameTicker::tick, this, &ChannelsPanel::updateValues);
     connect(&context().controller, &Controller::stateChanged, this, &ChannelsPanel::updateDevice);

@@ -27,9 +27,6 @@ public:
     ~ChannelsPanel() override;
     Q_DISABLE_COPY_MOVE(ChannelsPanel)
 
-signals:
-    void calibrateRequested(); ///< the person wants the calibration wizard
-
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;

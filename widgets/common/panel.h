@@ -34,6 +34,10 @@ public:
     explicit Panel(PanelContext& context, QWidget* parent = nullptr)
         : QWidget(parent), m_context(context) { }
 
+signals:
+    /// The person wants to go on in another panel; the window brings it forward.
+    void panelRequested(const QString& id);
+
 protected:
     [[nodiscard]] PanelContext& context() const { return m_context; }
 

@@ -198,6 +198,15 @@ QFont font(double step, bool tabular)
     return font;
 }
 
+void setTextColour(QWidget& widget, ColourRole role)
+{
+    // A label on a Base background writes in Text, on any other in WindowText.
+    QPalette palette = widget.palette();
+    palette.setColor(QPalette::WindowText, colour(role));
+    palette.setColor(QPalette::Text, colour(role));
+    widget.setPalette(palette);
+}
+
 QIcon icon(const QString& name, ColourRole role)
 {
     return QIcon(new SvgIconEngine(u":/icons/"_s + name + u".svg"_s, role)); // QIcon owns it

@@ -6,6 +6,8 @@
 #include <QFont>
 #include <QIcon>
 
+class QWidget;
+
 namespace trex {
 
 enum class ColourRole {
@@ -41,6 +43,9 @@ void apply(Choice choice);
 /// The desktop's font, scaled: 1 body, 1.25 panel title, 2 read-outs, 4 bench mode. Read-outs have
 /// tabular digits, so that nothing jumps.
 [[nodiscard]] QFont font(double step, bool tabular = false);
+
+/// Writes a label in a role's colour, whatever background it stands on.
+void setTextColour(QWidget& widget, ColourRole role);
 
 /// An action icon (":/icons/NAME.svg") in the text colour, or in a role's colour.
 [[nodiscard]] QIcon icon(const QString& name, ColourRole role = ColourRole::Text);

@@ -29,7 +29,7 @@ QString textOf(const PortInfo& info)
 
 QString simulatorAddress()
 {
-    return u"sim:?scenario=:/script/stick.json"_s;
+    return u"sim:?scenario=:/stick.json"_s;
 }
 
 QString shortPortName(const QString& address)

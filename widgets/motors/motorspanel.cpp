@@ -30,6 +30,7 @@ MotorsPanel::MotorsPanel(PanelContext& context, QWidget* parent)
     makeRows();
     layout->addStretch();
     m_lockout.setSingleShot(true);
+    m_lockout.setTimerType(Qt::PreciseTimer); // not a moment before the gate opens
     connect(&m_lockout, &QTimer::timeout, this, &MotorsPanel::refresh);
     connect(&context.controller, &Controller::armedChanged, this, &MotorsPanel::refresh);
     connect(&context.controller, &Controller::stateChanged, this, &MotorsPanel::refresh);

@@ -339,11 +339,7 @@ void PacketComposer::report(const QByteArray& sent, const Result<Reply>& reply, 
 
 void PacketComposer::say(const QString& text, bool isError)
 {
-    QPalette palette;
-    if (isError) {
-        palette.setColor(QPalette::WindowText, theme::colour(ColourRole::Fault));
-    }
-    m_result->setPalette(palette);
+    theme::setTextColour(*m_result, isError ? ColourRole::Fault : ColourRole::Text);
     m_result->setText(text);
     m_result->setVisible(!text.isEmpty());
 }

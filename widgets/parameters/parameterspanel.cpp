@@ -264,9 +264,7 @@ void ParametersPanel::colourMessage()
 
 void ParametersPanel::colourText(QLabel* label, ColourRole role)
 {
-    QPalette palette = label->palette();
-    palette.setColor(QPalette::WindowText, theme::colour(role));
-    label->setPalette(palette);
+    theme::setTextColour(*label, role);
 }
 
 void ParametersPanel::fitPending()
