@@ -28,12 +28,23 @@ enum class ErrorCode {
     NotConnected, ///< asked while no line is open
     Cancelled, ///< given up on request
     // ports
-    PortMissing, PortBusy, PortDenied, PortNotSerial, PortFailed, PortAddress,
+    PortMissing,
+    PortBusy,
+    PortDenied,
+    PortNotSerial,
+    PortFailed,
+    PortAddress,
     // ours, before a byte is sent
-    OutOfRange, BadCommand, Disarmed, LockedOut, JointMode,
+    OutOfRange,
+    BadCommand,
+    Disarmed,
+    LockedOut,
+    JointMode,
     ReadBackDiffers, ///< what was read back is not what was written
     // files
-    FileUnreadable, FileMalformed, FileUnwritable,
+    FileUnreadable,
+    FileMalformed,
+    FileUnwritable,
 };
 
 /// An error: its kind, and the words that say where (a port, a key, a line of a file). Made into
@@ -56,8 +67,7 @@ inline bool operator==(const Result<void>& a, const Result<void>& b)
 
 inline tl::unexpected<Error> fail(ErrorCode code, QString context = {})
 {
-    return tl::make_unexpected(Error {code, std::move(context)});
+    return tl::make_unexpected(Error{code, std::move(context)});
 }
 
 } // namespace trex
-

@@ -324,49 +324,6 @@
     </message>
 </context>
 <context>
-    <name>ChannelsPanel</name>
-    <message>
-        <source>Motor 1, or turn</source>
-        <translation>Motor 1 oder Lenken</translation>
-    </message>
-    <message>
-        <source>Motor 2, or forward</source>
-        <translation>Motor 2 oder Fahren</translation>
-    </message>
-    <message>
-        <source>Auxiliary motor</source>
-        <translation>Hilfsmotor</translation>
-    </message>
-    <message>
-        <source>Flip switch</source>
-        <translation>Überkopfschalter</translation>
-    </message>
-    <message>
-        <source>Serial override</source>
-        <translation>Serielle Übernahme</translation>
-    </message>
-    <message>
-        <source>Drives motor 1; with the mix jumper on, steers both motors.</source>
-        <translation>Steuert Motor 1; mit Mix-Steckbrücke lenkt er beide Motoren.</translation>
-    </message>
-    <message>
-        <source>Drives motor 2; with the mix jumper on, drives both motors.</source>
-        <translation>Steuert Motor 2; mit Mix-Steckbrücke treibt er beide Motoren an.</translation>
-    </message>
-    <message>
-        <source>Speed of the auxiliary motor, in one direction.</source>
-        <translation>Drehzahl des Hilfsmotors, in einer Richtung.</translation>
-    </message>
-    <message>
-        <source>Low: the robot is upside down; motors and directions swap.</source>
-        <translation>Niedrig: der Roboter liegt auf dem Kopf; Motoren und Richtungen werden getauscht.</translation>
-    </message>
-    <message>
-        <source>Low: serial commands drive the motors instead of the channels.</source>
-        <translation>Niedrig: serielle Befehle steuern die Motoren anstelle der Kanäle.</translation>
-    </message>
-</context>
-<context>
     <name>Cli</name>
     <message>
         <source>Channel</source>
@@ -1490,37 +1447,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>not a plain file</source>
         <translation>keine gewöhnliche Datei</translation>
-    </message>
-</context>
-<context>
-    <name>CurrentsPanel</name>
-    <message>
-        <source>10 s</source>
-        <translation>10 s</translation>
-    </message>
-    <message>
-        <source>30 s</source>
-        <translation>30 s</translation>
-    </message>
-    <message>
-        <source>1 min</source>
-        <translation>1 min</translation>
-    </message>
-    <message>
-        <source>5 min</source>
-        <translation>5 min</translation>
-    </message>
-    <message>
-        <source>30 min</source>
-        <translation>30 min</translation>
-    </message>
-    <message>
-        <source>1 h</source>
-        <translation>1 h</translation>
-    </message>
-    <message>
-        <source>whole session</source>
-        <translation>gesamte Sitzung</translation>
     </message>
 </context>
 <context>
@@ -3147,6 +3073,46 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <source>Not learned: the factory's calibration</source>
         <translation>Nicht gelernt: Kalibrierung ab Werk</translation>
     </message>
+    <message>
+        <source>Motor 1, or turn</source>
+        <translation>Motor 1 oder Lenken</translation>
+    </message>
+    <message>
+        <source>Motor 2, or forward</source>
+        <translation>Motor 2 oder Fahren</translation>
+    </message>
+    <message>
+        <source>Auxiliary motor</source>
+        <translation>Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>Flip switch</source>
+        <translation>Überkopfschalter</translation>
+    </message>
+    <message>
+        <source>Serial override</source>
+        <translation>Serielle Übernahme</translation>
+    </message>
+    <message>
+        <source>Drives motor 1; with the mix jumper on, steers both motors.</source>
+        <translation>Steuert Motor 1; mit Mix-Steckbrücke lenkt er beide Motoren.</translation>
+    </message>
+    <message>
+        <source>Drives motor 2; with the mix jumper on, drives both motors.</source>
+        <translation>Steuert Motor 2; mit Mix-Steckbrücke treibt er beide Motoren an.</translation>
+    </message>
+    <message>
+        <source>Speed of the auxiliary motor, in one direction.</source>
+        <translation>Drehzahl des Hilfsmotors, in einer Richtung.</translation>
+    </message>
+    <message>
+        <source>Low: the robot is upside down; motors and directions swap.</source>
+        <translation>Niedrig: der Roboter liegt auf dem Kopf; Motoren und Richtungen werden getauscht.</translation>
+    </message>
+    <message>
+        <source>Low: serial commands drive the motors instead of the channels.</source>
+        <translation>Niedrig: serielle Befehle steuern die Motoren anstelle der Kanäle.</translation>
+    </message>
 </context>
 <context>
     <name>trex::CommandBar</name>
@@ -3581,6 +3547,34 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>%1 s old</source>
         <translation>%1 s alt</translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation>30 s</translation>
+    </message>
+    <message>
+        <source>1 min</source>
+        <translation>1 min</translation>
+    </message>
+    <message>
+        <source>5 min</source>
+        <translation>5 min</translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation>30 min</translation>
+    </message>
+    <message>
+        <source>1 h</source>
+        <translation>1 h</translation>
+    </message>
+    <message>
+        <source>whole session</source>
+        <translation>gesamte Sitzung</translation>
     </message>
 </context>
 <context>

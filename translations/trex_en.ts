@@ -5,16 +5,16 @@
     <name>trex::CurrentsPanel</name>
     <message numerus="yes">
         <source>%n sample(s) exported to %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n sample exported to %1.</numerusform>
+            <numerusform>%n samples exported to %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Recording ended: %n sample(s) in %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Recording ended: %n sample in %1.</numerusform>
+            <numerusform>Recording ended: %n samples in %1.</numerusform>
         </translation>
     </message>
 </context>
@@ -42,9 +42,9 @@
     <name>trex::StatusPanel</name>
     <message numerus="yes">
         <source>Seen %n time(s), first %1, last %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Seen %n time, first %1, last %2.</numerusform>
+            <numerusform>Seen %n times, first %1, last %2.</numerusform>
         </translation>
     </message>
 </context>

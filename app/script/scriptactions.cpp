@@ -165,7 +165,8 @@ struct Target {
     std::optional<StepResult> notYet{}; ///< the step's result instead
 };
 
-/// The object, once it is where a person could reach it; obstacles end the step.
+/// The object, once it is where a person could reach it and can be used; what stands in the way for
+/// the whole of the step's time ends the step.
 Target reach(StepContext& context, const QString& name)
 {
     const Found found = findObject(name);
@@ -180,7 +181,8 @@ Target reach(StepContext& context, const QString& name)
         return {.notYet = failed(u"\"%1\" cannot be brought into view."_s.arg(name))};
     }
     if (const QString obstacle = obstacleOf(found.object); !obstacle.isEmpty()) {
-        return {.notYet = failed(obstacle)};
+        return {.notYet = context.elapsedMs < context.timeoutMs ? StepResult{Verdict::Pending, {}}
+                                                                : failed(obstacle)};
     }
     return {.object = found.object};
 }

@@ -146,4 +146,14 @@ std::optional<int> CommandLine::parse(int argc, char** argv)
     return std::nullopt;
 }
 
+Result<OpenOptions> CommandLine::openOptions(SettingsFile& settings) const
+{
+    if (m_chosen->usesPort()) {
+        return toOpenOptions(m_lineOptions, settings);
+    }
+    return toLineSettings(m_lineOptions).map([](const LineSettings& line) {
+        return OpenOptions{.port = {}, .line = line};
+    });
+}
+
 } // namespace trex

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] std::optional<int> parse(int argc, char** argv);
 
     [[nodiscard]] Verb& verb() { return *m_chosen; }
+    /// Port and settings, as far as the verb needs them.
+    [[nodiscard]] Result<OpenOptions> openOptions(SettingsFile& settings) const;
     [[nodiscard]] const LineOptionValues& lineOptions() const { return m_lineOptions; }
     [[nodiscard]] bool isJson() const { return m_isJson; }
     [[nodiscard]] int verbosity() const { return m_verbosity; }

@@ -14,16 +14,6 @@ using namespace trex;
 
 namespace {
 
-Result<OpenOptions> openOptions(CommandLine& commandLine, SettingsFile& settings)
-{
-    if (commandLine.verb().usesPort()) {
-        return toOpenOptions(commandLine.lineOptions(), settings);
-    }
-    return toLineSettings(commandLine.lineOptions()).map([](const LineSettings& line) {
-        return OpenOptions{.port = {}, .line = line};
-    });
-}
-
 int run(CommandLine& commandLine, SettingsFile& settings, const OpenOptions& options)
 {
     SignalWatcher signalWatcher{SIGINT, SIGTERM, SIGUSR1};
@@ -55,7 +45,7 @@ int main(int argc, char* argv[])
     }
     installLogging(commandLine.verbosity());
     SettingsFile settings;
-    const auto options = openOptions(commandLine, settings);
+    const auto options = commandLine.openOptions(settings);
     const Checked checkedLine = checked(options);
     const Checked checkedVerb = checkedLine ? commandLine.verb().check(*options) : checkedLine;
     if (!checkedVerb) {

@@ -33,6 +33,8 @@ constexpr auto kActions = std::to_array<ActionRow>({
     {MotorOrder::Action::Brake, "brake"},
 });
 
+constexpr std::chrono::milliseconds kSettle{10};
+
 using Orders = std::vector<std::pair<MotorId, MotorOrder>>;
 
 QLatin1StringView keyOf(MotorOrder::Action action)
@@ -77,6 +79,11 @@ public:
                 handler(tl::make_unexpected(sent.error()));
             }
         });
+        // One user saw 0xFF after motor commands (facts.md 4, F-13311): such a byte is to be here,
+        // and flushed, before it could be taken for the answer.
+        const auto sentBytes = static_cast<int>(session.sentMotorBytes().size());
+        co_await session.sleepUntil(std::chrono::steady_clock::now() + kSettle
+                                    + session.options().line.timeOf(sentBytes + 1));
         const Result<Reply> control = co_await session.attempt(query("get-serial-control"));
         if (!control) {
             const Failure failure = toFailure(control.error());

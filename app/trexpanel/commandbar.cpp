@@ -77,7 +77,7 @@ CommandBar::CommandBar(PanelContext& context, QWidget* parent) : QWidget(parent)
     m_lockout.setTimerType(Qt::PreciseTimer); // a coarse one may end before the lockout does
     Controller& controller = context.controller;
     connect(&m_lockout, &QTimer::timeout, this, &CommandBar::refresh);
-    connect(&controller, &Controller::stopped, this, [this] {
+    connect(&controller, &Controller::lockedOut, this, [this] {
         m_lockout.start(Controller::kStopLockout);
         refresh();
     });

@@ -318,6 +318,7 @@ void Controller::stop(StopKind kind, QObject* context, ReplyHandler handler)
         m_waiting.insert(m_stopId, {context, context != nullptr, std::move(handler)});
     }
     m_lockedUntil = now + kStopLockout;
+    emit lockedOut();
     m_orders = {};
     m_link->post([packets](LinkWorker& worker) { worker.stop(packets); });
     if (m_state == LinkState::Disconnected) { // no line that could tell how it went

@@ -87,6 +87,7 @@ signals:
     void closed();
     void deviceChanged(); ///< signature, mode, control or learned channels
     void armedChanged(bool armed);
+    void lockedOut(); ///< a stop was asked: from now motor orders are refused for kStopLockout
     void stopped(); ///< stop packets have been handed to the line
     void ordersChanged(); ///< lastOrder() of some motor
     /// Store and latch hold new values; at most 60 times a second.

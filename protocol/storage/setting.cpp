@@ -10,7 +10,7 @@
 namespace trex {
 namespace {
 
-constexpr qint64 kLargestFile = 4 * 1024 * 1024; // a settings file has some kilobytes
+constexpr qint64 kLargestFile = qint64{4} * 1024 * 1024; // a settings file has some kilobytes
 
 QString ownPath()
 {

@@ -9,6 +9,7 @@
 #include <sys/ioctl.h>
 #endif
 #ifdef Q_OS_UNIX
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #endif
@@ -44,6 +45,18 @@ std::optional<Error> lookAt(const QString& port)
     return std::nullopt;
 }
 #endif
+
+/// False when the system says that the other side has hung up or the device is gone.
+bool isThere([[maybe_unused]] const QSerialPort& port)
+{
+#ifdef Q_OS_UNIX
+    pollfd descriptor{port.handle(), POLLIN, 0};
+    return ::poll(&descriptor, 1, 0) >= 0
+        && (descriptor.revents & (POLLERR | POLLHUP | POLLNVAL)) == 0;
+#else
+    return false;
+#endif
+}
 
 ErrorCode codeOf(QSerialPort::SerialPortError error)
 {
@@ -151,6 +164,13 @@ void SerialTransport::onError(QSerialPort::SerialPortError error)
     if (!m_isOpen || error == QSerialPort::NoError || error == QSerialPort::TimeoutError
         || error == QSerialPort::UnsupportedOperationError) {
         return; // a pseudo-terminal refuses parity and modem lines, and works all the same
+    }
+    if ((error == QSerialPort::ResourceError || error == QSerialPort::ReadError)
+        && isThere(m_port)) {
+        // The event loop told of bytes that waitForBytes() had read by then; QSerialPort takes that
+        // for a lost device and listens no more until something is read.
+        QMetaObject::invokeMethod(this, &SerialTransport::onReadyRead, Qt::QueuedConnection);
+        return;
     }
     m_isOpen = false;
     // Not from inside the port's own signal: closing there would pull the port away from under it.

@@ -155,8 +155,10 @@ void TestScriptPlayer::click_failsAndSaysWhy_data()
                              << u"There is no object \"w.buton\""_s;
     QTest::newRow("near names") << QByteArray(R"({"click":"w.buton"})") << u"w.button"_s;
     QTest::newRow("ambiguous") << QByteArray(R"({"click":"w.twin"})") << u"ambiguous"_s;
-    QTest::newRow("disabled") << QByteArray(R"({"click":"w.disabled"})") << u"disabled"_s;
-    QTest::newRow("set disabled") << QByteArray(R"({"set":{"object":"w.disabled","value":true}})")
+    QTest::newRow("disabled") << QByteArray(R"({"click":"w.disabled","timeoutMs":60})")
+                              << u"disabled"_s;
+    QTest::newRow("set disabled") << QByteArray(
+        R"({"set":{"object":"w.disabled","value":true},"timeoutMs":60})")
                                   << u"disabled"_s;
 }
 
@@ -302,7 +304,7 @@ void TestScriptPlayer::repeat_failsAfterItsRounds()
     QCOMPARE(m_player->failedStep(), 0);
     QVERIFY2(lastMessage().contains(u"2 rounds"_s), qPrintable(lastMessage()));
     play(R"({"repeat":{"until":{"object":"w.spin","property":"value","equals":3},"max":2,
-            "steps":[{"sleepMs":1},{"click":"w.disabled"}]}})");
+            "steps":[{"sleepMs":1},{"click":"w.disabled","timeoutMs":60}]}})");
     QVERIFY2(lastMessage().contains(u"round 1, step 1 (click)"_s), qPrintable(lastMessage()));
 }
 

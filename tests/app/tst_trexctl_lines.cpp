@@ -44,10 +44,15 @@ void tst_trexctl_lines::doWholeJob(const QStringList& line)
     const Finished list = ask(u"param list"_s);
     QVERIFY2(list.code == 0, list.err);
     QCOMPARE(list.array().size(), 28);
-    QCOMPARE(ask(u"param set serial-timeout 20"_s).object()["verified"_L1], true);
-    QCOMPARE(ask(u"calibration set 2 2501 3751 5001 99"_s).object()["verified"_L1], true);
-    QCOMPARE(ask(u"motor both set 40 -40"_s).object()["pending"_L1], false);
-    QCOMPARE(ask(u"stop"_s).code, 0);
+    for (const auto& [command, key, wanted] :
+         {std::tuple{u"param set serial-timeout 20"_s, u"verified"_s, true},
+          {u"calibration set 2 2501 3751 5001 99"_s, u"verified"_s, true},
+          {u"motor both set 40 -40"_s, u"pending"_s, false},
+          {u"stop"_s, u"pending"_s, false}}) {
+        const Finished done = ask(command);
+        QVERIFY2(done.code == 0, (command.toUtf8() + ": " + done.err).constData());
+        QCOMPARE(done.object()[key], wanted);
+    }
     const Finished status = ask(u"status"_s);
     QVERIFY2(status.code == 0, status.err);
     QCOMPARE(status.object()["uartError"_L1]["byte"_L1], 0); // nothing was wrong on the line

@@ -137,7 +137,7 @@ void CalibrationWizard::applyTheme()
         theme::setTextColour(*header, ColourRole::DimText);
     }
     theme::setTextColour(*m_steps, ColourRole::DimText);
-    dim(m_reason);
+    theme::setTextColour(*m_reason, ColourRole::DimText);
     for (CalibrationRow* row : m_rows) {
         row->applyTheme();
     }

@@ -25,21 +25,21 @@ constexpr int kRowSpacing = 8;
 
 /// What each channel is for (facts.md 5.4). Whether the mix jumper is on, no command tells.
 constexpr std::array<const char*, kChannelCount> kRoles{
-    QT_TRANSLATE_NOOP("ChannelsPanel", "Motor 1, or turn"),
-    QT_TRANSLATE_NOOP("ChannelsPanel", "Motor 2, or forward"),
-    QT_TRANSLATE_NOOP("ChannelsPanel", "Auxiliary motor"),
-    QT_TRANSLATE_NOOP("ChannelsPanel", "Flip switch"),
-    QT_TRANSLATE_NOOP("ChannelsPanel", "Serial override"),
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel", "Motor 1, or turn"),
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel", "Motor 2, or forward"),
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel", "Auxiliary motor"),
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel", "Flip switch"),
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel", "Serial override"),
 };
 constexpr std::array<const char*, kChannelCount> kRoleHelps{
-    QT_TRANSLATE_NOOP("ChannelsPanel",
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel",
                       "Drives motor 1; with the mix jumper on, steers both motors."),
-    QT_TRANSLATE_NOOP("ChannelsPanel",
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel",
                       "Drives motor 2; with the mix jumper on, drives both motors."),
-    QT_TRANSLATE_NOOP("ChannelsPanel", "Speed of the auxiliary motor, in one direction."),
-    QT_TRANSLATE_NOOP("ChannelsPanel",
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel", "Speed of the auxiliary motor, in one direction."),
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel",
                       "Low: the robot is upside down; motors and directions swap."),
-    QT_TRANSLATE_NOOP("ChannelsPanel",
+    QT_TRANSLATE_NOOP("trex::ChannelsPanel",
                       "Low: serial commands drive the motors instead of the channels."),
 };
 

@@ -32,7 +32,9 @@ class Panel : public QWidget {
 
 public:
     explicit Panel(PanelContext& context, QWidget* parent = nullptr)
-        : QWidget(parent), m_context(context) { }
+        : QWidget(parent), m_context(context)
+    {
+    }
 
 signals:
     /// The person wants to go on in another panel; the window brings it forward.

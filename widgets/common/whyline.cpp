@@ -89,7 +89,7 @@ WhyLine::WhyLine(Controller& controller, EventLog& log, QWidget* parent)
     connect(&controller, &Controller::deviceChanged, this, &WhyLine::refresh);
     connect(&controller, &Controller::armedChanged, this, &WhyLine::refresh);
     connect(&controller, &Controller::ordersChanged, this, &WhyLine::refresh);
-    connect(&controller, &Controller::stopped, this, &WhyLine::onStopped);
+    connect(&controller, &Controller::lockedOut, this, &WhyLine::onStopped);
     refresh();
 }
 

@@ -33,13 +33,13 @@ struct WindowRow {
     const char* title;
 };
 constexpr std::array kWindows{
-    WindowRow{10, QT_TRANSLATE_NOOP("CurrentsPanel", "10 s")},
-    WindowRow{30, QT_TRANSLATE_NOOP("CurrentsPanel", "30 s")},
-    WindowRow{60, QT_TRANSLATE_NOOP("CurrentsPanel", "1 min")},
-    WindowRow{300, QT_TRANSLATE_NOOP("CurrentsPanel", "5 min")},
-    WindowRow{1800, QT_TRANSLATE_NOOP("CurrentsPanel", "30 min")},
-    WindowRow{3600, QT_TRANSLATE_NOOP("CurrentsPanel", "1 h")},
-    WindowRow{PlotView::kWholeSession, QT_TRANSLATE_NOOP("CurrentsPanel", "whole session")},
+    WindowRow{10, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "10 s")},
+    WindowRow{30, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "30 s")},
+    WindowRow{60, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "1 min")},
+    WindowRow{300, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "5 min")},
+    WindowRow{1800, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "30 min")},
+    WindowRow{3600, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "1 h")},
+    WindowRow{PlotView::kWholeSession, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "whole session")},
 };
 
 } // namespace

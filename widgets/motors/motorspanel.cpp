@@ -38,7 +38,7 @@ MotorsPanel::MotorsPanel(PanelContext& context, QWidget* parent)
     connect(&context.controller, &Controller::ordersChanged, this, &MotorsPanel::showOrders);
     connect(&context.deviceSettings, &DeviceSettings::parameterChanged, this,
             &MotorsPanel::refresh);
-    connect(&context.controller, &Controller::stopped, this, [this] {
+    connect(&context.controller, &Controller::lockedOut, this, [this] {
         m_lockout.start(Controller::kStopLockout);
         refresh();
     });
