@@ -444,10 +444,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>die Antwort auf die Standardausgabe</translation>
     </message>
     <message>
-        <source>the controller (%1)</source>
-        <translation>Controller (%1)</translation>
-    </message>
-    <message>
         <source>a stream until SIGINT (Ctrl+C) or --duration</source>
         <translation>fortlaufend bis SIGINT (Strg+C) oder --duration</translation>
     </message>
@@ -3590,6 +3586,10 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>calibration of channel %1: %2</source>
         <translation>Kalibrierung von Kanal %1: %2</translation>
+    </message>
+    <message>
+        <source>the controller (%1)</source>
+        <translation>Controller (%1)</translation>
     </message>
 </context>
 <context>

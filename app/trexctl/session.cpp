@@ -157,9 +157,6 @@ void Session::fail(const Error& error)
     const auto lost = m_controller.lastError();
     if (error.code == ErrorCode::NotConnected && lost) {
         fail(toFailure(*lost));
-    } else if (error.code == ErrorCode::NoReply && m_hasBegun && !error.context.isEmpty()) {
-        // The context says what was asked; who did not answer is the controller.
-        fail(toFailure({error.code, Cli::tr("the controller (%1)").arg(error.context)}));
     } else {
         fail(toFailure(error));
     }

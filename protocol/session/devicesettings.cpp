@@ -11,6 +11,15 @@ namespace {
 
 using namespace Qt::Literals::StringLiterals;
 
+/// Says what was asked; who did not answer is the controller.
+tl::unexpected<Error> lossOf(const Error& error, const QString& what)
+{
+    return fail(error.code,
+                error.code == ErrorCode::NoReply
+                    ? DeviceSettings::tr("the controller (%1)").arg(what)
+                    : what);
+}
+
 bool isRefusal(ErrorCode code)
 {
     return code == ErrorCode::BadParameterNumber || code == ErrorCode::BadValue
@@ -141,7 +150,7 @@ void DeviceSettings::readParameter(const ParameterRow& row, QObject* context,
     m_controller.request(trex::readParameter(row.number), context,
                          [this, &row, handler](const Result<Reply>& reply) {
                              if (!reply) {
-                                 handler(fail(reply.error().code, QString::fromLatin1(row.key)));
+                                 handler(lossOf(reply.error(), QString::fromLatin1(row.key)));
                                  return;
                              }
                              const int raw = static_cast<std::uint8_t>(reply->payload.front());
@@ -238,7 +247,7 @@ void DeviceSettings::readCalibration(int channel, QObject* context,
         trex::readCalibration(channel), context,
         [this, channel, handler](const Result<Reply>& reply) {
             if (!reply) {
-                handler(fail(reply.error().code, tr("calibration of channel %1").arg(channel)));
+                handler(lossOf(reply.error(), tr("calibration of channel %1").arg(channel)));
                 return;
             }
             const Calibration calibration = parseCalibration(reply->payload);
