@@ -131,12 +131,10 @@ quint64 Controller::enlist(QObject* context, ReplyHandler handler)
 
 void Controller::answer(quint64 id, const Result<Reply>& reply)
 {
-    const auto found = m_waiting.constFind(id);
-    if (found == m_waiting.constEnd()) {
+    if (!m_waiting.contains(id)) {
         return;
     }
-    const Waiting waiting = *found;
-    m_waiting.erase(found);
+    const Waiting waiting = m_waiting.take(id);
     if (!waiting.hasContext || waiting.context) {
         waiting.handler(reply);
     }
@@ -233,7 +231,7 @@ Result<void> Controller::gate() const
 
 Result<void> Controller::arm()
 {
-    const auto verdict = gate();
+    auto verdict = gate();
     if (!verdict && verdict.error().code != ErrorCode::Disarmed) {
         return verdict;
     }
@@ -261,7 +259,7 @@ Result<void> Controller::order(const Result<Command>& command, QObject* context,
     if (!command) {
         return tl::make_unexpected(command.error());
     }
-    if (const auto verdict = gate(); !verdict) {
+    if (auto verdict = gate(); !verdict) {
         return verdict;
     }
     const Transaction transaction{.id = enlist(context, std::move(handler)),
