@@ -20,7 +20,7 @@ namespace {
 /// The property, and the few that Qt calls otherwise or keeps in the model.
 QVariant propertyOf(const QObject& object, const QString& name)
 {
-    const QVariant variant = object.property(name.toUtf8().constData());
+    QVariant variant = object.property(name.toUtf8().constData());
     if (variant.isValid()) {
         return variant;
     }

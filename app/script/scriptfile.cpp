@@ -15,7 +15,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr qint64 kLargestScript = 4 * 1024 * 1024;
+constexpr qint64 kLargestScript = qint64{4} * 1024 * 1024;
 constexpr int kDeepestRepeat = 8;
 constexpr int kLongestTimeoutMs = 24 * 3600 * 1000;
 

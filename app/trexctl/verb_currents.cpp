@@ -38,7 +38,7 @@ public:
 
     Checked check(const OpenOptions& options) override
     {
-        const auto streamChecked = StreamVerb::check(options);
+        auto streamChecked = StreamVerb::check(options);
         if (!streamChecked || m_csvPath.isNull()) {
             return streamChecked;
         }
@@ -98,14 +98,14 @@ protected:
         }
     }
 
-    Result<void> finish() override
+    void finish(const FinishHandler& done) override
     {
+        bool isFlushed = true;
         if (m_csv.isOpen() && m_hasHeader) {
-            const bool isFlushed = m_csv.flush();
+            isFlushed = m_csv.flush();
             m_csv.close();
-            return isFlushed ? Result<void>() : unwritable();
         }
-        return {};
+        done(isFlushed ? Result<void>() : unwritable());
     }
 
 private:

@@ -62,7 +62,7 @@ public:
             m_bytes += *bytes;
         }
         if (m_isFramed) {
-            const Checked framed = frame(options.line);
+            Checked framed = frame(options.line);
             if (!framed) {
                 return framed;
             }

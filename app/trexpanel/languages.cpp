@@ -19,7 +19,7 @@ QString systemChoice()
 {
     const QStringList wishes = QLocale::system().uiLanguages();
     for (const QString& wish : wishes) {
-        const QString code = wish.section(u'-', 0, 0);
+        QString code = wish.section(u'-', 0, 0);
         if (Languages::isAvailable(code)) {
             return code;
         }
