@@ -24,10 +24,6 @@
         <translation>Pololu-Pakete erreichen diesen Controller danach unter Nummer %1; kompakte Pakete erreichen ihn immer.</translation>
     </message>
     <message>
-        <source>With CRC-7, connect with polynomial %1 after the power cycle, or nothing answers.</source>
-        <translation>Bei CRC-7 nach dem Aus- und Einschalten mit Polynom %1 verbinden, sonst antwortet nichts.</translation>
-    </message>
-    <message>
         <source>After the power cycle, connect with %1, or nothing answers.</source>
         <translation>Nach dem Aus- und Einschalten mit %1 verbinden, sonst antwortet nichts.</translation>
     </message>
@@ -42,6 +38,42 @@
     <message>
         <source>The inputs have a calibration of their own for RC and for analog: after the power cycle the other one is in force.</source>
         <translation>Die Eingänge haben je eine eigene Kalibrierung für RC und für Analog: nach dem Aus- und Einschalten gilt die andere.</translation>
+    </message>
+    <message>
+        <source>%1 ms are no longer than this program waits for a reply (%2 ms): one lost reply may stop the motors.</source>
+        <translation>%1 ms sind nicht länger, als dieses Programm auf eine Antwort wartet (%2 ms): Eine verlorene Antwort kann die Motoren anhalten.</translation>
+    </message>
+    <message>
+        <source>The current reading of motor %1 is one byte and ends at %2 A: it cannot exceed this limit, which so never acts.</source>
+        <translation>Der Strommesswert von Motor %1 ist ein Byte und endet bei %2 A: Er kann diese Grenze nicht überschreiten, die somit nie wirkt.</translation>
+    </message>
+    <message>
+        <source>In joint mode no current is measured: the limit of motor %1 cannot act.</source>
+        <translation>Im gemeinsamen Modus wird kein Strom gemessen: Die Stromgrenze von Motor %1 kann nicht wirken.</translation>
+    </message>
+    <message>
+        <source>Motor %1 has unlimited acceleration, so that every 10 ms the speed may jump back up before the limit holds it (inferred). Give it an acceleration; the limit acts on accelerate commands only.</source>
+        <translation>Motor %1 hat unbegrenzte Beschleunigung, sodass die Drehzahl alle 10 ms wieder hochspringen kann, bevor die Grenze sie hält (gefolgert). Eine Beschleunigung einstellen; die Grenze wirkt nur bei Beschleunigungsbefehlen.</translation>
+    </message>
+    <message>
+        <source>With gain 0, motor %1 may not be slowed at all when it is over its limit (a guess: the vendor does not state the law).</source>
+        <translation>Mit Verstärkung 0 wird Motor %1 bei Überstrom möglicherweise gar nicht verlangsamt (vermutet: der Hersteller gibt das Regelgesetz nicht an).</translation>
+    </message>
+    <message>
+        <source>Another controller on this line has device number %1 already: both would answer at once.</source>
+        <translation>Ein anderer Controller an dieser Leitung hat bereits die Gerätenummer %1: Beide würden zugleich antworten.</translation>
+    </message>
+    <message>
+        <source>With polynomial 0x80 every check byte is 0: CRC-7 would find no error at all.</source>
+        <translation>Mit Polynom 0x80 ist jedes Prüfbyte 0: CRC-7 würde keinen einzigen Fehler finden.</translation>
+    </message>
+    <message>
+        <source>The lowest bit of polynomial %1 is 0, so that the lowest bit of every check byte is too: CRC-7 finds fewer errors.</source>
+        <translation>Das unterste Bit des Polynoms %1 ist 0 und damit auch das unterste Bit jedes Prüfbytes: CRC-7 findet weniger Fehler.</translation>
+    </message>
+    <message>
+        <source>Stored is 0x%1, used is 0x%2: the top bit is always 1 and not stored. With CRC-7, connect with polynomial 0x%2 after the power cycle, or nothing answers.</source>
+        <translation>Gespeichert ist 0x%1, verwendet wird 0x%2: Das oberste Bit ist immer 1 und wird nicht gespeichert. Bei CRC-7 nach dem Aus- und Einschalten mit Polynom 0x%2 verbinden, sonst antwortet nichts.</translation>
     </message>
 </context>
 <context>
@@ -91,10 +123,6 @@
         <translation>Eine Seite hat viel weniger Weg als die andere und steuert deshalb gröber.</translation>
     </message>
     <message>
-        <source>An end lies at the limit of what can be read; part of the travel may be cut off.</source>
-        <translation>Eine Endlage liegt an der Grenze des Messbereichs; ein Teil des Weges kann abgeschnitten sein.</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -127,16 +155,8 @@
         <translation>Messwerte: %1, fehlend: %2 (%3 %)</translation>
     </message>
     <message>
-        <source>Noise at rest: σ %1</source>
-        <translation>Rauschen in Ruhe: σ %1</translation>
-    </message>
-    <message>
         <source>Travel: %1 down, %2 up; symmetry %3 %</source>
         <translation>Weg: %1 nach unten, %2 nach oben; Symmetrie %3 %</translation>
-    </message>
-    <message>
-        <source>Deadband: ±%1 (%2 σ, at least %3)</source>
-        <translation>Totband: ±%1 (%2 σ, mindestens %3)</translation>
     </message>
     <message>
         <source>Ends pulled in by %1 and %2, so that the full stick gives 127</source>
@@ -159,10 +179,6 @@
         <translation>bewegt</translation>
     </message>
     <message>
-        <source>by %1</source>
-        <translation>um %1</translation>
-    </message>
-    <message>
         <source>waiting</source>
         <translation>wartet</translation>
     </message>
@@ -173,10 +189,6 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>down %1 · up %2</source>
-        <translation>unten %1 · oben %2</translation>
     </message>
     <message>
         <source>done</source>
@@ -209,10 +221,6 @@
     <message>
         <source>nearest</source>
         <translation>nächster Wert</translation>
-    </message>
-    <message>
-        <source>The nearest values that this controller can take.</source>
-        <translation>Die nächsten Werte, die dieser Controller annehmen kann.</translation>
     </message>
     <message>
         <source>failed</source>
@@ -299,14 +307,6 @@
         <translation>%1-Modus: die Knüppel bewegen die Motoren, und nichts kann geschrieben werden. Besser den seriellen Modus verwenden: ausschalten, Modus-Steckbrücke abziehen, einschalten.</translation>
     </message>
     <message>
-        <source>Serial mode: the sticks do not move the motors. The RC calibration is set; the analog one stays.</source>
-        <translation>Serieller Modus: die Knüppel bewegen die Motoren nicht. Die RC-Kalibrierung wird gesetzt; die analoge bleibt.</translation>
-    </message>
-    <message>
-        <source>Serial mode: the sticks do not move the motors. The analog calibration is set; the RC one stays.</source>
-        <translation>Serieller Modus: die Knüppel bewegen die Motoren nicht. Die analoge Kalibrierung wird gesetzt; die für RC bleibt.</translation>
-    </message>
-    <message>
         <source>chosen</source>
         <translation>gewählt</translation>
     </message>
@@ -321,6 +321,328 @@
     <message>
         <source>no reading</source>
         <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>RC and analog seem to be mixed up. %5</source>
+        <translation>RC und Analog scheinen verwechselt zu sein. %5</translation>
+    </message>
+    <message>
+        <source>%6 % of its readings jump far beyond its noise, as a failing potentiometer or a loose cable does. Repair that first.</source>
+        <translation>%6 % der Messwerte springen weit über das Rauschen hinaus, wie bei einem defekten Potentiometer oder losen Kabel. Dies zuerst beheben.</translation>
+    </message>
+    <message>
+        <source>It was moved too fast to tell its ends. Hold it at each end for half a second.</source>
+        <translation>Zu schnell bewegt, um die Endlagen zu erkennen. In jeder Endlage eine halbe Sekunde halten.</translation>
+    </message>
+    <message>
+        <source>It comes to rest up to %7 away from its neutral, too far for a deadband to cover. Look at its spring and its mechanics.</source>
+        <translation>Kommt bis zu %7 neben Neutral zur Ruhe, zu weit, um vom Totband abgedeckt zu werden. Feder und Mechanik prüfen.</translation>
+    </message>
+    <message>
+        <source>Channel %8 moved when this one was asked for: they seem to be swapped. Exchange their plugs, or their axes in the transmitter.</source>
+        <translation>Kanal %8 bewegte sich, als dieser gefragt war: Sie scheinen vertauscht zu sein. Ihre Stecker tauschen oder ihre Achsen im Sender.</translation>
+    </message>
+    <message>
+        <source>It rests on its low side, where it is thought to be on (below half-way; a guess, the threshold is not published). Learn it with the switch in the other position, or reverse it in the transmitter.</source>
+        <translation>Ruht auf der niedrigen Seite, wo er vermutlich eingeschaltet ist (unter der Mitte; vermutet, die Schwelle ist nicht veröffentlicht). Mit dem Schalter in der anderen Stellung lernen oder im Sender umkehren.</translation>
+    </message>
+    <message>
+        <source>%6 % of its readings jump beyond its noise; they were left out. Its potentiometer or cable may be wearing out.</source>
+        <translation>%6 % der Messwerte springen über das Rauschen hinaus; sie wurden ausgelassen. Potentiometer oder Kabel könnten verschlissen sein.</translation>
+    </message>
+    <message>
+        <source>It comes to rest up to %7 away from its neutral; the deadband covers that.</source>
+        <translation>Kommt bis zu %7 neben Neutral zur Ruhe; das Totband deckt das ab.</translation>
+    </message>
+    <message>
+        <source>Its travel has fewer counts than the 127 steps to each side, so that some speeds cannot be chosen.</source>
+        <translation>Der Weg hat weniger Stufen als die 127 Schritte nach jeder Seite, sodass manche Drehzahlen nicht wählbar sind.</translation>
+    </message>
+    <message>
+        <source>An end lies at the limit of what can be read; part of the travel may be cut off. Shorten the travel in the transmitter.</source>
+        <translation>Eine Endlage liegt an der Grenze des Lesbaren; ein Teil des Wegs kann abgeschnitten sein. Den Weg im Sender verkleinern.</translation>
+    </message>
+    <message>
+        <source>It was to be read as RC pulses, but most readings are such as only a voltage gives.</source>
+        <translation>RC-Impulse sollten gelesen werden, aber die meisten Messwerte sind solche, wie sie nur eine Spannung ergibt.</translation>
+    </message>
+    <message>
+        <source>It was to be read as a voltage, but most readings are such as only RC pulses give.</source>
+        <translation>Eine Spannung sollte gelesen werden, aber die meisten Messwerte sind solche, wie sie nur RC-Impulse ergeben.</translation>
+    </message>
+    <message>
+        <source>At rest it reads 0 V most of the time, with short bursts, as an RC receiver on an analog input would (a guess).</source>
+        <translation>In Ruhe meist 0 V mit kurzen Impulsen, wie von einem RC-Empfänger an einem Analogeingang (vermutet).</translation>
+    </message>
+    <message>
+        <source>It wandered for seconds without ever resting, as an analog input with nothing, or an RC receiver, on it would (a guess).</source>
+        <translation>Wanderte sekundenlang, ohne je zu ruhen, wie ein Analogeingang, an dem nichts oder ein RC-Empfänger angeschlossen ist (vermutet).</translation>
+    </message>
+    <message>
+        <source>Quiet at rest, full travel both ways, comes back to its neutral.</source>
+        <translation>Ruhig in Neutral, voller Weg nach beiden Seiten, kehrt nach Neutral zurück.</translation>
+    </message>
+    <message>
+        <source>Deadband: ±%1 (%2 σ of its noise)</source>
+        <translation>Totband: ±%1 (%2 σ des Rauschens)</translation>
+    </message>
+    <message>
+        <source>Deadband: ±%1 (%2 × its farthest rest and %3 σ of its noise)</source>
+        <translation>Totband: ±%1 (%2 × die fernste Ruhelage und %3 σ des Rauschens)</translation>
+    </message>
+    <message>
+        <source>Deadband: ±%1 (the least; %2 σ of its noise are ±%3)</source>
+        <translation>Totband: ±%1 (Mindestwert; %2 σ des Rauschens sind ±%3)</translation>
+    </message>
+    <message>
+        <source>Centring: not tried</source>
+        <translation>Rückkehr: nicht erprobt</translation>
+    </message>
+    <message>
+        <source>Centring: %1 returns, rests within %2, up to %3 off neutral</source>
+        <translation>Rückkehr: %1-mal, Ruhelagen innerhalb von %2, bis zu %3 neben Neutral</translation>
+    </message>
+    <message>
+        <source>%1; from above and below %2 apart</source>
+        <translation>%1; von oben und von unten %2 auseinander</translation>
+    </message>
+    <message>
+        <source>Noise at rest: σ %1 (%2 % of the travel); jumps: %3</source>
+        <translation>Rauschen in Ruhe: σ %1 (%2 % des Wegs); Sprünge: %3</translation>
+    </message>
+    <message>
+        <source>Switches on at and below about %1 (a guess: the threshold is not published)</source>
+        <translation>Schaltet bei etwa %1 und darunter ein (vermutet: die Schwelle ist nicht veröffentlicht)</translation>
+    </message>
+    <message>
+        <source>Look at the directions and switches. Go on.</source>
+        <translation>Richtungen und Schalter ansehen. Weiter.</translation>
+    </message>
+    <message>
+        <source>Push channel %1 forward, and hold it.</source>
+        <translation>Kanal %1 nach vorn drücken und halten.</translation>
+    </message>
+    <message>
+        <source>Channel %1 is next: let go of all sticks first.</source>
+        <translation>Als Nächstes Kanal %1: zuerst alle Knüppel loslassen.</translation>
+    </message>
+    <message>
+        <source>The RC calibration is set; the analog one stays.</source>
+        <translation>Die RC-Kalibrierung wird gesetzt; die analoge bleibt.</translation>
+    </message>
+    <message>
+        <source>The analog calibration is set; the RC one stays.</source>
+        <translation>Die analoge Kalibrierung wird gesetzt; die RC-Kalibrierung bleibt.</translation>
+    </message>
+    <message>
+        <source>Serial mode: the sticks do not move the motors.</source>
+        <translation>Serieller Modus: Die Knüppel bewegen die Motoren nicht.</translation>
+    </message>
+    <message>
+        <source>how the sticks come back</source>
+        <translation>wie die Knüppel zurückkehren</translation>
+    </message>
+    <message>
+        <source>which way is forward</source>
+        <translation>welche Richtung vorwärts ist</translation>
+    </message>
+    <message>
+        <source>trying the new numbers</source>
+        <translation>Erproben der neuen Zahlen</translation>
+    </message>
+    <message>
+        <source>This controller reads the bytes of a calibration as 8 bits each and cannot hold the learned numbers: shown are the nearest that it can.</source>
+        <translation>Dieser Controller liest die Bytes einer Kalibrierung als je 8 Bit und kann die gelernten Zahlen nicht aufnehmen: Gezeigt sind die nächstliegenden, die er aufnehmen kann.</translation>
+    </message>
+    <message>
+        <source>Skipped, so less certain: %1.</source>
+        <translation>Übersprungen, daher weniger sicher: %1.</translation>
+    </message>
+    <message>
+        <source>Returns</source>
+        <translation>Rückkehr</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>It is known how the sticks come back. Go on.</source>
+        <translation>Die Rückkehr der Knüppel ist bekannt. Weiter.</translation>
+    </message>
+    <message>
+        <source>Move every stick and let it go, twice, best to both sides.</source>
+        <translation>Jeden Knüppel zweimal bewegen und loslassen, am besten nach beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>The new numbers do what they should. Go on.</source>
+        <translation>Die neuen Zahlen bewirken, was sie sollen. Weiter.</translation>
+    </message>
+    <message>
+        <source>Try the new numbers: move every stick to both ends, then let it go. Nothing has been written yet.</source>
+        <translation>Die neuen Zahlen erproben: jeden Knüppel in beide Endlagen bewegen, dann loslassen. Noch ist nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>by %1: the countdown starts again</source>
+        <translation>um %1: Countdown beginnt neu</translation>
+    </message>
+    <message>
+        <source>comes back within %1</source>
+        <translation>kehrt auf %1 genau zurück</translation>
+    </message>
+    <message>
+        <source>levers and switches need not</source>
+        <translation>bei Hebeln und Schaltern nicht nötig</translation>
+    </message>
+    <message>
+        <source>let it go</source>
+        <translation>loslassen</translation>
+    </message>
+    <message>
+        <source>coming back</source>
+        <translation>kehrt zurück</translation>
+    </message>
+    <message>
+        <source>%1, need %2</source>
+        <translation>%1, nötig %2</translation>
+    </message>
+    <message>
+        <source>no threshold</source>
+        <translation>keine Schwelle</translation>
+    </message>
+    <message>
+        <source>≈: how these channels switch is not published; this is a guess.</source>
+        <translation>≈: Wie diese Kanäle schalten, ist nicht veröffentlicht; dies ist vermutet.</translation>
+    </message>
+    <message>
+        <source>≈ serial override on</source>
+        <translation>≈ serielle Übernahme ein</translation>
+    </message>
+    <message>
+        <source>≈ flip on</source>
+        <translation>≈ Überkopf ein</translation>
+    </message>
+    <message>
+        <source>≈ on at %1 and below</source>
+        <translation>≈ ein bei %1 und darunter</translation>
+    </message>
+    <message>
+        <source>≈ off</source>
+        <translation>≈ aus</translation>
+    </message>
+    <message>
+        <source>push forward</source>
+        <translation>nach vorn drücken</translation>
+    </message>
+    <message>
+        <source>channel %1 moved</source>
+        <translation>Kanal %1 bewegte sich</translation>
+    </message>
+    <message>
+        <source>Channels %1 and %2 are swapped: exchange their plugs, or choose the other stick in the transmitter.</source>
+        <translation>Kanäle %1 und %2 sind vertauscht: ihre Stecker tauschen oder im Sender den anderen Knüppel wählen.</translation>
+    </message>
+    <message>
+        <source>runs backwards</source>
+        <translation>läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>Its readings fall when it is pushed forward.</source>
+        <translation>Die Messwerte fallen beim Drücken nach vorn.</translation>
+    </message>
+    <message>
+        <source>runs forward</source>
+        <translation>läuft vorwärts</translation>
+    </message>
+    <message>
+        <source>Its readings rise when it is pushed forward.</source>
+        <translation>Die Messwerte steigen beim Drücken nach vorn.</translation>
+    </message>
+    <message>
+        <source>%1 → %2 new</source>
+        <translation>%1 → %2 neu</translation>
+    </message>
+    <message>
+        <source>, %1 before</source>
+        <translation>, %1 zuvor</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>move it</source>
+        <translation>bewegen</translation>
+    </message>
+    <message>
+        <source>%1 samples, %2 % missed, σ %3, symmetry %4 %</source>
+        <translation>%1 Messwerte, %2 % fehlend, σ %3, Symmetrie %4 %</translation>
+    </message>
+    <message>
+        <source>The nearest values that this controller can take, read back; the deadband covers the difference at neutral.</source>
+        <translation>Die nächstliegenden Werte, die dieser Controller annehmen kann, zurückgelesen; das Totband deckt den Unterschied bei Neutral ab.</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>Keeps its old values.</source>
+        <translation>Behält seine alten Werte.</translation>
+    </message>
+    <message>
+        <source>Old or new values: it is read when the controller is there again.</source>
+        <translation>Alte oder neue Werte: Es wird gelesen, sobald der Controller wieder da ist.</translation>
+    </message>
+    <message>
+        <source>new values</source>
+        <translation>neue Werte</translation>
+    </message>
+    <message>
+        <source>Read back.</source>
+        <translation>Zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>old values</source>
+        <translation>alte Werte</translation>
+    </message>
+    <message>
+        <source>other values</source>
+        <translation>andere Werte</translation>
+    </message>
+    <message>
+        <source>Neither the old nor the new ones.</source>
+        <translation>Weder die alten noch die neuen.</translation>
+    </message>
+    <message>
+        <source>Put back, and read back.</source>
+        <translation>Wiederhergestellt und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>The nearest to its former values that this controller can take.</source>
+        <translation>So nah an den früheren Werten, wie es dieser Controller zulässt.</translation>
+    </message>
+    <message>
+        <source>down %1
+up %2</source>
+        <translation>unten %1
+oben %2</translation>
+    </message>
+    <message>
+        <source>ends %1 / %2</source>
+        <translation>Enden %1 / %2</translation>
+    </message>
+    <message>
+        <source>, before %1 / %2</source>
+        <translation>, vorher %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -506,10 +828,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>Remapped</source>
         <translation>Umgerechnet</translation>
-    </message>
-    <message>
-        <source>configuration file (JSON)</source>
-        <translation>Konfigurationsdatei (JSON)</translation>
     </message>
     <message>
         <source>Nothing differs.</source>
@@ -1115,6 +1433,214 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <source>whole configurations as files: save, load, diff</source>
         <translation>ganze Konfigurationen als Dateien: save, load, diff</translation>
     </message>
+    <message>
+        <source>neither channels nor currents were recorded</source>
+        <translation>weder Kanäle noch Ströme wurden aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>samples a second, default 20</source>
+        <translation>Messwerte je Sekunde, Standard 20</translation>
+    </message>
+    <message>
+        <source>seconds; without it until SIGINT (Ctrl+C)</source>
+        <translation>Dauer in Sekunden; ohne Angabe bis SIGINT (Strg+C)</translation>
+    </message>
+    <message>
+        <source>of the checkpoint</source>
+        <translation>des Sicherungspunkts</translation>
+    </message>
+    <message>
+        <source>A checkpoint needs a name. Nothing was sent.</source>
+        <translation>Ein Sicherungspunkt braucht einen Namen. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>The whole configuration is kept as checkpoint %1.</source>
+        <translation>Die ganze Konfiguration ist als Sicherungspunkt %1 festgehalten.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>(before a first write)</source>
+        <translation>(vor einem ersten Schreiben)</translation>
+    </message>
+    <message>
+        <source>There is no checkpoint.</source>
+        <translation>Es gibt keinen Sicherungspunkt.</translation>
+    </message>
+    <message>
+        <source>There is no checkpoint %1 on %2. See: trexctl checkpoint list</source>
+        <translation>Es gibt keinen Sicherungspunkt %1 an %2. Siehe: trexctl checkpoint list</translation>
+    </message>
+    <message>
+        <source>%1 controllers on %2 have a checkpoint %3: delete it in the window.</source>
+        <translation>%1 Controller an %2 haben einen Sicherungspunkt %3: im Fenster löschen.</translation>
+    </message>
+    <message>
+        <source>The checkpoint %1 is deleted.</source>
+        <translation>Der Sicherungspunkt %1 ist gelöscht.</translation>
+    </message>
+    <message>
+        <source>configuration file (JSON); texts under keys of your own are comments</source>
+        <translation>Konfigurationsdatei (JSON); Texte unter eigenen Schlüsseln sind Kommentare</translation>
+    </message>
+    <message>
+        <source>another one: compare the two, without a controller</source>
+        <translation>eine weitere: beide vergleichen, ohne Controller</translation>
+    </message>
+    <message>
+        <source>compare the controller with the factory defaults</source>
+        <translation>den Controller mit den Werkseinstellungen vergleichen</translation>
+    </message>
+    <message>
+        <source>--defaults takes no file.</source>
+        <translation>--defaults nimmt keine Datei.</translation>
+    </message>
+    <message>
+        <source>Give a file to compare with, or --defaults.</source>
+        <translation>Eine Datei zum Vergleichen oder --defaults angeben.</translation>
+    </message>
+    <message>
+        <source>%1: only in %2</source>
+        <translation>%1: nur in %2</translation>
+    </message>
+    <message>
+        <source>The vendor does not state these defaults, they are guesses: %1.</source>
+        <translation>Der Hersteller gibt diese Standardwerte nicht an, sie sind vermutet: %1.</translation>
+    </message>
+    <message>
+        <source>Calibrations are not compared: their defaults are not documented.</source>
+        <translation>Kalibrierungen werden nicht verglichen: Ihre Standardwerte sind nicht dokumentiert.</translation>
+    </message>
+    <message>
+        <source>a recording</source>
+        <translation>eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>the file to write: one row a sample</source>
+        <translation>zu schreibende Datei: eine Zeile je Messwert</translation>
+    </message>
+    <message>
+        <source>%1: %2 rows</source>
+        <translation>%1: %2 Zeilen</translation>
+    </message>
+    <message>
+        <source>of all ports, not only of --port</source>
+        <translation>aller Ports, nicht nur von --port</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>the entry; it and all after it are undone</source>
+        <translation>der Eintrag; er und alle danach werden rückgängig gemacht</translation>
+    </message>
+    <message>
+        <source>journal entry %1 of this controller</source>
+        <translation>Journaleintrag %1 dieses Controllers</translation>
+    </message>
+    <message>
+        <source>In this mode the sticks also move the motors: keep the motors' power off.</source>
+        <translation>In diesem Modus bewegen auch die Knüppel die Motoren: Versorgung der Motoren ausgeschaltet lassen.</translation>
+    </message>
+    <message>
+        <source>the recording; a new file</source>
+        <translation>die Aufzeichnung; eine neue Datei</translation>
+    </message>
+    <message>
+        <source>some of currents,channels,status; default all</source>
+        <translation>einige von currents,channels,status; Standard alle</translation>
+    </message>
+    <message>
+        <source>every packet and its reply, too</source>
+        <translation>auch jedes Paket und seine Antwort</translation>
+    </message>
+    <message>
+        <source>replace a file that is there</source>
+        <translation>eine vorhandene Datei ersetzen</translation>
+    </message>
+    <message>
+        <source>--streams: '%1' is none of currents, channels, status; nothing was sent.</source>
+        <translation>--streams: '%1' ist keines von currents, channels, status; nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>There is already a file %1; give another name, or --force to replace it. Nothing was sent.</source>
+        <translation>Es gibt bereits eine Datei %1; einen anderen Namen angeben oder --force, um sie zu ersetzen. Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>motor currents</source>
+        <translation>Motorströme</translation>
+    </message>
+    <message>
+        <source>Joint motor mode: the controller measures no currents, so they are left out.</source>
+        <translation>Gemeinsamer Motormodus: Der Controller misst keine Ströme, sie werden daher ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 samples, %2 s, %3 lost</source>
+        <translation>%1 Messwerte, %2 s, %3 verloren</translation>
+    </message>
+    <message>
+        <source>a recording's channels and currents, from its beginning</source>
+        <translation>Kanäle und Ströme einer Aufzeichnung, von deren Anfang an</translation>
+    </message>
+    <message>
+        <source>a crash-safe recording of currents, channels, status, settings</source>
+        <translation>eine absturzsichere Aufzeichnung von Strömen, Kanälen, Status, Einstellungen</translation>
+    </message>
+    <message>
+        <source>a recording to CSV</source>
+        <translation>eine Aufzeichnung als CSV</translation>
+    </message>
+    <message>
+        <source>every write that went to a controller on --port: old, new, result</source>
+        <translation>jedes Schreiben in einen Controller an --port: alt, neu, Ergebnis</translation>
+    </message>
+    <message>
+        <source>write back what the controller held before an entry</source>
+        <translation>zurückschreiben, was der Controller vor einem Eintrag enthielt</translation>
+    </message>
+    <message>
+        <source>keep the whole configuration under a name</source>
+        <translation>die ganze Konfiguration unter einem Namen festhalten</translation>
+    </message>
+    <message>
+        <source>what was kept from controllers on --port, by name or by itself</source>
+        <translation>was von Controllern an --port festgehalten wurde, unter einem Namen oder von selbst</translation>
+    </message>
+    <message>
+        <source>write what differs from a checkpoint</source>
+        <translation>schreiben, was von einem Sicherungspunkt abweicht</translation>
+    </message>
+    <message>
+        <source>forget a checkpoint</source>
+        <translation>einen Sicherungspunkt löschen</translation>
+    </message>
+    <message>
+        <source>whole configurations by name: save, list, restore, delete</source>
+        <translation>ganze Konfigurationen unter Namen: save, list, restore, delete</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1300,6 +1826,17 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+</context>
+<context>
     <name>ConfigFile</name>
     <message>
         <source>%1 (no ordinary file)</source>
@@ -1312,10 +1849,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>The file was written by a newer program (version %1); not understood and left out: %2.</source>
         <translation>Die Datei wurde von einem neueren Programm geschrieben (Version %1); nicht verstanden und ausgelassen: %2.</translation>
-    </message>
-    <message>
-        <source>is not known in a file of version 1</source>
-        <translation>ist in einer Datei der Version 1 nicht bekannt</translation>
     </message>
     <message>
         <source>line %1, %2: stands twice</source>
@@ -1436,6 +1969,54 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>%1 is out of range (%2…%3)</source>
         <translation>%1 liegt außerhalb des Bereichs (%2…%3)</translation>
+    </message>
+    <message>
+        <source>about %1 (inferred)</source>
+        <translation>etwa %1 (gefolgert)</translation>
+    </message>
+    <message>
+        <source>%1: %2 is more than this controller can be set to; taken is its most, %3 (raw %4).</source>
+        <translation>%1: %2 ist mehr, als sich an diesem Controller einstellen lässt; genommen wird sein Höchstwert, %3 (Rohwert %4).</translation>
+    </message>
+    <message>
+        <source>%1: adapted from %2 to %3 (raw %4), since the two models count currents in different steps.</source>
+        <translation>%1: von %2 auf %3 (Rohwert %4) angepasst, da die beiden Modelle Ströme in verschiedenen Stufen zählen.</translation>
+    </message>
+    <message>
+        <source>The file is of a %1, the controller is a %2.</source>
+        <translation>Die Datei stammt von einem %1, der Controller ist ein %2.</translation>
+    </message>
+    <message>
+        <source>%1: taken as it is, though it acts on current in the other model's steps; try it with care.</source>
+        <translation>%1: unverändert genommen, obwohl es auf den Strom in den Stufen des anderen Modells wirkt; mit Vorsicht erproben.</translation>
+    </message>
+    <message>
+        <source>%1: left out, since firmware %2 does not have it.</source>
+        <translation>%1: ausgelassen, da Firmware %2 es nicht hat.</translation>
+    </message>
+    <message>
+        <source>Not understood and left alone in the file: %1.</source>
+        <translation>Nicht verstanden und in der Datei belassen: %1.</translation>
+    </message>
+    <message>
+        <source>is not known; is %1 meant?</source>
+        <translation>ist unbekannt; ist %1 gemeint?</translation>
+    </message>
+    <message>
+        <source>is not known here, and no comment, which would be a text</source>
+        <translation>ist hier unbekannt und kein Kommentar, der ein Text wäre</translation>
+    </message>
+    <message>
+        <source>the file is UTF-16; save it as UTF-8</source>
+        <translation>die Datei ist UTF-16; als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>there is a NUL byte, which no text has</source>
+        <translation>enthält ein NUL-Byte, das in keinem Text vorkommt</translation>
+    </message>
+    <message>
+        <source>JSON has no comments; write a text under a key of its own, such as "comment"</source>
+        <translation>JSON kennt keine Kommentare; einen Text unter einem eigenen Schlüssel schreiben, etwa "comment"</translation>
     </message>
 </context>
 <context>
@@ -1710,6 +2291,168 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>Check its folder, that you may write there, and that the disk is not full.</source>
         <translation>Ordner und Schreibberechtigung prüfen und ob der Datenträger voll ist.</translation>
+    </message>
+</context>
+<context>
+    <name>JournalText</name>
+    <message>
+        <source>%1, found out later</source>
+        <translation>%1, später festgestellt</translation>
+    </message>
+    <message>
+        <source>factory defaults</source>
+        <translation>Werkseinstellungen</translation>
+    </message>
+    <message>
+        <source>read back as written</source>
+        <translation>zurückgelesen wie geschrieben</translation>
+    </message>
+    <message>
+        <source>not written: the old value holds</source>
+        <translation>nicht geschrieben: der alte Wert gilt</translation>
+    </message>
+    <message>
+        <source>another value holds: %1</source>
+        <translation>ein anderer Wert gilt: %1</translation>
+    </message>
+    <message>
+        <source>accepted, not read back</source>
+        <translation>angenommen, nicht zurückgelesen</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>not known, cannot be read back</source>
+        <translation>unbekannt, nicht zurücklesbar</translation>
+    </message>
+    <message>
+        <source>not known: will be read back when this controller is connected</source>
+        <translation>unbekannt: wird zurückgelesen, sobald dieser Controller verbunden ist</translation>
+    </message>
+    <message>
+        <source>The journal %1 is damaged: it is kept as %1.damaged, and a new one is begun.</source>
+        <translation>Das Journal %1 ist beschädigt: Es wird als %1.damaged aufbewahrt und ein neues begonnen.</translation>
+    </message>
+    <message>
+        <source>the journal %1 (%2)</source>
+        <translation>Journal %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Qt's driver for SQLite is not installed</source>
+        <translation>der Qt-Treiber für SQLite ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>es ist keine Datei</translation>
+    </message>
+    <message>
+        <source>its folder cannot be made</source>
+        <translation>sein Ordner kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>another program holds it</source>
+        <translation>ein anderes Programm hält es belegt</translation>
+    </message>
+    <message>
+        <source>the journal %1 (it belongs to a newer version of this program and stays as it is)</source>
+        <translation>Journal %1 (es gehört zu einer neueren Version dieses Programms und bleibt, wie es ist)</translation>
+    </message>
+    <message>
+        <source>the journal %1 (it is damaged)</source>
+        <translation>Journal %1 (es ist beschädigt)</translation>
+    </message>
+    <message>
+        <source>a checkpoint named %1 is there already</source>
+        <translation>ein Sicherungspunkt namens %1 ist bereits vorhanden</translation>
+    </message>
+    <message>
+        <source>journal entry %1</source>
+        <translation>Journaleintrag %1</translation>
+    </message>
+    <message>
+        <source>no checkpoint is named %1</source>
+        <translation>kein Sicherungspunkt heißt %1</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it may not be written</source>
+        <translation>keine Schreibberechtigung</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>it cannot be opened</source>
+        <translation>es lässt sich nicht öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>LineText</name>
+    <message>
+        <source>%1 baud, no error detection</source>
+        <translation>%1 Baud, ohne Fehlererkennung</translation>
+    </message>
+    <message>
+        <source>%1 baud, even parity</source>
+        <translation>%1 Baud, gerade Parität</translation>
+    </message>
+    <message>
+        <source>%1 baud, odd parity</source>
+        <translation>%1 Baud, ungerade Parität</translation>
+    </message>
+    <message>
+        <source>%1 baud, CRC-7</source>
+        <translation>%1 Baud, CRC-7</translation>
+    </message>
+    <message>
+        <source>%1 with polynomial 0x%2</source>
+        <translation>%1 mit Polynom 0x%2</translation>
+    </message>
+    <message>
+        <source>%1, two stop bits</source>
+        <translation>%1, zwei Stoppbits</translation>
+    </message>
+    <message>
+        <source>Nothing at all came back. Check the controller's power, that ground and both data wires are connected, and that the two data wires are not swapped.</source>
+        <translation>Es kam gar nichts zurück. Prüfen, ob der Controller versorgt ist und ob Masse und beide Datenleitungen angeschlossen und die beiden Datenleitungen nicht vertauscht sind.</translation>
+    </message>
+    <message>
+        <source>Only our own bytes came back: the wiring reaches the RS-232 pins, but the controller does not answer. Check its power, and that an RS-232 adapter (not a logic-level one) is on those pins.</source>
+        <translation>Nur die eigenen Bytes kamen zurück: Die Verkabelung reicht bis zu den RS-232-Pins, aber der Controller antwortet nicht. Seine Versorgung prüfen und ob ein RS-232-Adapter (keiner mit Logikpegeln) an diesen Pins liegt.</translation>
+    </message>
+    <message>
+        <source>Only zeros came back: the data line is held low or inverted. A logic-level adapter belongs on SI and SO, an RS-232 adapter on the RS-232 pins; do not mix them.</source>
+        <translation>Nur Nullen kamen zurück: Die Datenleitung wird auf Low gehalten oder ist invertiert. Ein Adapter mit Logikpegeln gehört an SI und SO, ein RS-232-Adapter an die RS-232-Pins; nicht vermischen.</translation>
+    </message>
+    <message>
+        <source>Bytes came back that are no reply of a TReX. Check for a loose ground and for other devices on the line; with CRC-7, give its polynomial if it was changed.</source>
+        <translation>Es kamen Bytes zurück, die keine Antwort eines TReX sind. Auf lose Masse und andere Geräte an der Leitung prüfen; bei CRC-7 das Polynom angeben, falls es geändert wurde.</translation>
+    </message>
+    <message>
+        <source>Last resort, back to the factory's serial settings (19200 baud, no error detection):
+1. Switch the controller off.
+2. Take the mode jumper off.
+3. Connect SO to ground with the learning jumper.
+4. Put the mix jumper on.
+5. Switch on: red and green blink in turn.
+6. Take the mix jumper off: they blink faster. Go no further, taking the SO jumper off now enters the firmware upgrade.
+7. Switch off, take the learning jumper off, switch on, and recover again.
+The steps come from people who quote the vendor's guide; that they restore the serial settings is inferred, not confirmed.</source>
+        <translation>Letzter Ausweg, zurück zu den seriellen Werkseinstellungen (19200 Baud, keine Fehlererkennung):
+1. Den Regler ausschalten.
+2. Den Modus-Jumper abziehen.
+3. SO mit dem Lern-Jumper mit Masse verbinden.
+4. Den Mix-Jumper aufstecken.
+5. Einschalten: Rot und Grün blinken abwechselnd.
+6. Den Mix-Jumper abziehen: sie blinken schneller. Nicht weitergehen; wer jetzt den SO-Jumper abzieht, beginnt die Firmware-Aktualisierung.
+7. Ausschalten, den Lern-Jumper abziehen, einschalten und noch einmal wiederfinden lassen.
+Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; dass sie die seriellen Einstellungen zurücksetzen, ist erschlossen, nicht bestätigt.</translation>
     </message>
 </context>
 <context>
@@ -2164,10 +2907,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
 <context>
     <name>ParameterField</name>
     <message>
-        <source>channel %1</source>
-        <translation>Kanal %1</translation>
-    </message>
-    <message>
         <source>no check</source>
         <translation>ohne Prüfung</translation>
     </message>
@@ -2207,6 +2946,66 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <source>The number as the controller stores it (raw)</source>
         <translation>Die Zahl, wie der Controller sie speichert (Rohwert)</translation>
     </message>
+    <message>
+        <source>1 motor 1 / turn</source>
+        <translation>1 Motor 1 / Lenken</translation>
+    </message>
+    <message>
+        <source>Channel 1: motor 1, or turning with the mix jumper on</source>
+        <translation>Kanal 1: Motor 1 oder, mit Mix-Steckbrücke, Lenken</translation>
+    </message>
+    <message>
+        <source>2 motor 2 / drive</source>
+        <translation>2 Motor 2 / Fahren</translation>
+    </message>
+    <message>
+        <source>Channel 2: motor 2, or forward and back with the mix jumper on</source>
+        <translation>Kanal 2: Motor 2 oder, mit Mix-Steckbrücke, vor und zurück</translation>
+    </message>
+    <message>
+        <source>3 auxiliary</source>
+        <translation>3 Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>3 aux</source>
+        <translation>3 Hilfsm.</translation>
+    </message>
+    <message>
+        <source>Channel 3: speed of the auxiliary motor, one direction</source>
+        <translation>Kanal 3: Drehzahl des Hilfsmotors, in einer Richtung</translation>
+    </message>
+    <message>
+        <source>4 flip</source>
+        <translation>4 Überkopf</translation>
+    </message>
+    <message>
+        <source>Channel 4: flip switch, swaps motors and directions</source>
+        <translation>Kanal 4: Überkopfschalter, tauscht Motoren und Richtungen</translation>
+    </message>
+    <message>
+        <source>5 serial override</source>
+        <translation>5 serielle Übernahme</translation>
+    </message>
+    <message>
+        <source>5 serial</source>
+        <translation>5 seriell</translation>
+    </message>
+    <message>
+        <source>Channel 5: serial override, hands the motors to the serial line</source>
+        <translation>Kanal 5: serielle Übernahme, übergibt die Motoren an die serielle Leitung</translation>
+    </message>
+    <message>
+        <source>stored %1</source>
+        <translation>gespeichert %1</translation>
+    </message>
+    <message>
+        <source>1 M1</source>
+        <translation>1 M1</translation>
+    </message>
+    <message>
+        <source>2 M2</source>
+        <translation>2 M2</translation>
+    </message>
 </context>
 <context>
     <name>ParameterHelp</name>
@@ -2227,8 +3026,12 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Wirkt sofort.</translation>
     </message>
     <message>
-        <source>Source: %1</source>
-        <translation>Quelle: %1</translation>
+        <source>≈ The scale in amperes is inferred for the TReX.</source>
+        <translation>≈ Die Skala in Ampere ist für den TReX gefolgert.</translation>
+    </message>
+    <message>
+        <source>Meaning %1. Source: %2</source>
+        <translation>Bedeutung %1. Quelle: %2</translation>
     </message>
 </context>
 <context>
@@ -2596,6 +3399,14 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <source>Puts all parameters back to factory defaults. Calibrations stay.</source>
         <translation>Setzt alle Parameter auf Werkseinstellung zurück. Kalibrierungen bleiben erhalten.</translation>
     </message>
+    <message>
+        <source>unlimited</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>no limit (unsure)</source>
+        <translation>keine Grenze (unsicher)</translation>
+    </message>
 </context>
 <context>
     <name>PlotView</name>
@@ -2637,6 +3448,60 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>learned channels</source>
         <translation>gelernte Kanäle</translation>
+    </message>
+</context>
+<context>
+    <name>Recording</name>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>not a plain file</source>
+        <translation>keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>not a recording</source>
+        <translation>keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>a recording of another version; a newer program may read it</source>
+        <translation>eine Aufzeichnung anderer Version; ein neueres Programm kann sie vielleicht lesen</translation>
+    </message>
+    <message>
+        <source>too damaged to be opened</source>
+        <translation>zu stark beschädigt zum Öffnen</translation>
+    </message>
+    <message>
+        <source>no room for a copy to repair</source>
+        <translation>kein Platz für eine Kopie zur Reparatur</translation>
+    </message>
+    <message>
+        <source>its tables are not a recording's</source>
+        <translation>ihre Tabellen sind nicht die einer Aufzeichnung</translation>
+    </message>
+    <message numerus="yes">
+        <source>The recording is damaged: %n parts are left out.</source>
+        <translation>
+            <numerusform>Die Aufzeichnung ist beschädigt: %n Teil ist ausgelassen.</numerusform>
+            <numerusform>Die Aufzeichnung ist beschädigt: %n Teile sind ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The recording holds streams that this program does not know.</source>
+        <translation>Die Aufzeichnung enthält Datenströme, die dieses Programm nicht kennt.</translation>
+    </message>
+    <message>
+        <source>The recording was not ended: its last moments may be missing.</source>
+        <translation>Die Aufzeichnung wurde nicht beendet: Ihre letzten Augenblicke können fehlen.</translation>
+    </message>
+    <message>
+        <source>The disk was too slow: %1 events or packets are missing.</source>
+        <translation>Der Datenträger war zu langsam: %1 Ereignisse oder Pakete fehlen.</translation>
     </message>
 </context>
 <context>
@@ -2748,6 +3613,37 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <source>Switch the controller's power off and on for: %1.</source>
         <translation>Controller aus- und einschalten für: %1.</translation>
     </message>
+    <message>
+        <source>Whether it is changed is not known.</source>
+        <translation>Ob es geändert ist, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Written before that, and in the controller now: %1.</source>
+        <translation>Vorher geschrieben und jetzt im Controller: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>WritePreview</name>
+    <message>
+        <source>Nothing to write.</source>
+        <translation>Nichts zu schreiben.</translation>
+    </message>
+    <message>
+        <source>Will be written: %1</source>
+        <translation>Wird geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Needs a power cycle afterwards: %1.</source>
+        <translation>Aus- und Einschalten danach nötig: %1.</translation>
+    </message>
+    <message>
+        <source>(▲ %1 notes below)</source>
+        <translation>(▲ %1 Hinweise unten)</translation>
+    </message>
+    <message>
+        <source>Will be written, %1 settings%2:</source>
+        <translation>Geschrieben werden %1 Einstellungen%2:</translation>
+    </message>
 </context>
 <context>
     <name>trex::AboutDialog</name>
@@ -2765,6 +3661,105 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     </message>
 </context>
 <context>
+    <name>trex::CalibrationHistory</name>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Raw: minimum %1, neutral %2, maximum %3, deadband %4</source>
+        <translation>Rohwerte: Minimum %1, Neutral %2, Maximum %3, Totband %4</translation>
+    </message>
+    <message>
+        <source>Calibration history</source>
+        <translation>Verlauf der Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>Calibrations written before, newest first</source>
+        <translation>Früher geschriebene Kalibrierungen, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>What can be restored</source>
+        <translation>Was sich wiederherstellen lässt</translation>
+    </message>
+    <message>
+        <source>Restore the numbers before</source>
+        <translation>Vorherige Zahlen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Restore the written numbers</source>
+        <translation>Geschriebene Zahlen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>RC</source>
+        <translation>RC</translation>
+    </message>
+    <message>
+        <source>analog</source>
+        <translation>Analog</translation>
+    </message>
+    <message>
+        <source>No %1 calibration was written to this controller by this program yet.</source>
+        <translation>Dieses Programm hat noch keine %1-Kalibrierung in diesen Controller geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 calibrations written to %2, device %3</source>
+        <translation>%1-Kalibrierungen, geschrieben in %2, Gerät %3</translation>
+    </message>
+    <message>
+        <source>By %1, on %2</source>
+        <translation>Von %1, an %2</translation>
+    </message>
+    <message>
+        <source>Connect to the controller to restore.</source>
+        <translation>Zum Wiederherstellen mit dem Controller verbinden.</translation>
+    </message>
+    <message>
+        <source>Settings can be written in serial mode only.</source>
+        <translation>Einstellungen lassen sich nur im seriellen Modus schreiben.</translation>
+    </message>
+    <message>
+        <source>A calibration is running.</source>
+        <translation>Eine Kalibrierung läuft.</translation>
+    </message>
+    <message>
+        <source>Writing, and reading back…</source>
+        <translation>Schreiben und Zurücklesen…</translation>
+    </message>
+    <message>
+        <source>Channel %1 holds %2 again, read back.</source>
+        <translation>Kanal %1 enthält wieder %2, zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Channel %1 holds %2, the nearest that this controller can take, read back.</source>
+        <translation>Kanal %1 enthält %2, das Nächstliegende, das dieser Controller annehmen kann, zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Restoring writes the numbers of the chosen line to its channel, and reads them back.</source>
+        <translation>Das Wiederherstellen schreibt die Zahlen der gewählten Zeile in ihren Kanal und liest sie zurück.</translation>
+    </message>
+</context>
+<context>
     <name>trex::CalibrationPanel</name>
     <message>
         <source>Calibration wizard</source>
@@ -2773,6 +3768,10 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>Calibration: %1</source>
         <translation>Kalibrierung: %1</translation>
+    </message>
+    <message>
+        <source>The calibration's panel was closed.</source>
+        <translation>Der Bereich Kalibrierung wurde geschlossen.</translation>
     </message>
 </context>
 <context>
@@ -2824,6 +3823,30 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>was %1</source>
         <translation>war %1</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Reverse channel %1</source>
+        <translation>Kanal %1 umkehren</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Nochmals</translation>
+    </message>
+    <message>
+        <source>Find the direction of channel %1 again</source>
+        <translation>Richtung von Kanal %1 nochmals ermitteln</translation>
+    </message>
+    <message>
+        <source>Parameter 0x03: forward and reverse change places on this channel. Only its own bit is written.</source>
+        <translation>Parameter 0x03: Vorwärts und rückwärts werden auf diesem Kanal vertauscht. Nur sein eigenes Bit wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Push this channel forward once more.</source>
+        <translation>Diesen Kanal noch einmal nach vorn drücken.</translation>
     </message>
 </context>
 <context>
@@ -2879,6 +3902,145 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>Back one step</source>
         <translation>Einen Schritt zurück</translation>
+    </message>
+    <message>
+        <source>Motor power is off</source>
+        <translation>Motorversorgung ist aus</translation>
+    </message>
+    <message>
+        <source>The controller drives the motors by the sticks in this mode. Tick this when their power is off, so that nothing can move.</source>
+        <translation>In diesem Modus steuert der Controller die Motoren nach den Knüppeln. Ankreuzen, wenn ihre Versorgung aus ist, sodass sich nichts bewegen kann.</translation>
+    </message>
+    <message>
+        <source>History…</source>
+        <translation>Verlauf…</translation>
+    </message>
+    <message>
+        <source>Calibrations of before</source>
+        <translation>Frühere Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kennlinie</translation>
+    </message>
+    <message>
+        <source>Show the response curve</source>
+        <translation>Kennlinie zeigen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Put the former values back</source>
+        <translation>Frühere Werte wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Writes the values of before this calibration, and reads them back.</source>
+        <translation>Schreibt die Werte von vor dieser Kalibrierung und liest sie zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CalibrationWriter</name>
+    <message>
+        <source>The controller already held these values; nothing was written.</source>
+        <translation>Der Controller hatte diese Werte bereits; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed in the controller.</source>
+        <translation>Im Controller wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Channels written and read back: %1.</source>
+        <translation>Geschriebene und zurückgelesene Kanäle: %1.</translation>
+    </message>
+    <message>
+        <source>Channels written as the nearest values that this controller can take: %1 (it reads the bytes of a calibration as 8 bits each).</source>
+        <translation>Mit den nächstliegenden Werten, die dieser Controller annehmen kann, geschriebene Kanäle: %1 (er liest die Bytes einer Kalibrierung als je 8 Bit).</translation>
+    </message>
+    <message>
+        <source>Channels that were so already: %1.</source>
+        <translation>Kanäle, die bereits so waren: %1.</translation>
+    </message>
+    <message>
+        <source>Channel %1 was refused and keeps its old values.</source>
+        <translation>Kanal %1 wurde abgelehnt und behält seine alten Werte.</translation>
+    </message>
+    <message>
+        <source>Channel %1 may hold its old or its new values: read it again.</source>
+        <translation>Kanal %1 kann seine alten oder seine neuen Werte enthalten: erneut lesen.</translation>
+    </message>
+    <message>
+        <source>The directions (parameter 0x03) may be the old or the new ones.</source>
+        <translation>Die Richtungen (Parameter 0x03) können die alten oder die neuen sein.</translation>
+    </message>
+    <message>
+        <source>The directions (parameter 0x03) were refused and stay as they were.</source>
+        <translation>Die Richtungen (Parameter 0x03) wurden abgelehnt und bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>All other channels are as before.</source>
+        <translation>Alle anderen Kanäle sind wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Channel %1 holds the new values</source>
+        <translation>Kanal %1 enthält die neuen Werte</translation>
+    </message>
+    <message>
+        <source>Channels %1 hold the new values</source>
+        <translation>Kanäle %1 enthalten die neuen Werte</translation>
+    </message>
+    <message>
+        <source>Channel %1 still holds the old values</source>
+        <translation>Kanal %1 enthält noch die alten Werte</translation>
+    </message>
+    <message>
+        <source>channel %1 still the old ones</source>
+        <translation>Kanal %1 noch die alten</translation>
+    </message>
+    <message>
+        <source>Channels %1 still hold the old values</source>
+        <translation>Kanäle %1 enthalten noch die alten Werte</translation>
+    </message>
+    <message>
+        <source>channels %1 still the old ones</source>
+        <translation>Kanäle %1 noch die alten</translation>
+    </message>
+    <message>
+        <source>channel %1 holds neither the old nor the new values: undo, or calibrate it again</source>
+        <translation>Kanal %1 enthält weder die alten noch die neuen Werte: rückgängig machen oder neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Read back: %1.</source>
+        <translation>Zurückgelesen: %1.</translation>
+    </message>
+    <message>
+        <source>The directions (parameter 0x03) are the new ones.</source>
+        <translation>Die Richtungen (Parameter 0x03) sind die neuen.</translation>
+    </message>
+    <message>
+        <source>The directions (parameter 0x03) are still the old ones.</source>
+        <translation>Die Richtungen (Parameter 0x03) sind noch die alten.</translation>
+    </message>
+    <message>
+        <source>The directions (parameter 0x03) are neither the old nor the new ones.</source>
+        <translation>Die Richtungen (Parameter 0x03) sind weder die alten noch die neuen.</translation>
+    </message>
+    <message>
+        <source>The former values are back, and were read back: channels %1.</source>
+        <translation>Die früheren Werte sind wiederhergestellt und zurückgelesen: Kanäle %1.</translation>
+    </message>
+    <message>
+        <source>The nearest to the former values that this controller can take: channels %1.</source>
+        <translation>So nah an den früheren Werten, wie es dieser Controller zulässt: Kanäle %1.</translation>
+    </message>
+    <message>
+        <source>The directions (parameter 0x03) are as they were.</source>
+        <translation>Die Richtungen (Parameter 0x03) sind wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Directions (parameter 0x03) written and read back: %1.</source>
+        <translation>Richtungen (Parameter 0x03) geschrieben und zurückgelesen: %1.</translation>
     </message>
 </context>
 <context>
@@ -2995,36 +4157,32 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Mindestens einen Kanal zum Schreiben wählen.</translation>
     </message>
     <message>
-        <source>The controller already held these values; nothing was written.</source>
-        <translation>Der Controller hatte diese Werte bereits; nichts wurde geschrieben.</translation>
+        <source>Writing the directions</source>
+        <translation>Richtungen werden geschrieben</translation>
     </message>
     <message>
-        <source>Nothing was changed in the controller.</source>
-        <translation>Im Controller wurde nichts geändert.</translation>
+        <source>The connection to the controller was lost while the former values were put back.</source>
+        <translation>Die Verbindung zum Controller ging verloren, während die früheren Werte wiederhergestellt wurden.</translation>
     </message>
     <message>
-        <source>Channels written and read back: %1.</source>
-        <translation>Geschriebene und zurückgelesene Kanäle: %1.</translation>
+        <source>In RC and analog mode the sticks move the motors: switch the motors' power off and tick that it is off, or put the controller into serial mode.</source>
+        <translation>Im RC- und Analogmodus bewegen die Knüppel die Motoren: die Motorversorgung ausschalten und ankreuzen, dass sie aus ist, oder den Controller in den seriellen Modus versetzen.</translation>
     </message>
     <message>
-        <source>Channels written as the nearest values that this controller can take: %1 (it reads the bytes of a calibration as 8 bits each).</source>
-        <translation>Mit den nächstliegenden Werten, die dieser Controller annehmen kann, geschriebene Kanäle: %1 (er liest die Bytes einer Kalibrierung als je 8 Bit).</translation>
+        <source>Say first that the motor power is off.</source>
+        <translation>Zuerst angeben, dass die Motorversorgung aus ist.</translation>
     </message>
     <message>
-        <source>Channels that were so already: %1.</source>
-        <translation>Kanäle, die bereits so waren: %1.</translation>
+        <source>Putting the former values back…</source>
+        <translation>Frühere Werte werden wiederhergestellt…</translation>
     </message>
     <message>
-        <source>Channel %1 was refused and keeps its old values.</source>
-        <translation>Kanal %1 wurde abgelehnt und behält seine alten Werte.</translation>
+        <source>Reading back what the controller holds…</source>
+        <translation>Zurücklesen, was der Controller enthält…</translation>
     </message>
     <message>
-        <source>Channel %1 may hold its old or its new values: read it again.</source>
-        <translation>Kanal %1 kann seine alten oder seine neuen Werte enthalten: erneut lesen.</translation>
-    </message>
-    <message>
-        <source>All other channels are as before.</source>
-        <translation>Alle anderen Kanäle sind wie zuvor.</translation>
+        <source>When the controller is there again, what it holds is read back.</source>
+        <translation>Sobald der Controller wieder da ist, wird zurückgelesen, was er enthält.</translation>
     </message>
 </context>
 <context>
@@ -3111,6 +4269,25 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     </message>
 </context>
 <context>
+    <name>trex::CheckpointModel</name>
+    <message>
+        <source>(saved before a first write)</source>
+        <translation>(gespeichert vor einem ersten Schreiben)</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Controller</translation>
+    </message>
+</context>
+<context>
     <name>trex::CommandBar</name>
     <message>
         <source>RC mode</source>
@@ -3182,30 +4359,105 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     </message>
 </context>
 <context>
+    <name>trex::CompareDialog</name>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Compare settings</source>
+        <translation>Einstellungen vergleichen</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Linke Seite</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Rechte Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as text</source>
+        <translation>Als Text &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>In the controller</source>
+        <translation>Im Controller</translation>
+    </message>
+    <message>
+        <source>Factory defaults</source>
+        <translation>Werkseinstellungen</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>%1: a file</source>
+        <translation>%1: eine Datei</translation>
+    </message>
+    <message>
+        <source>Settings to compare</source>
+        <translation>Zu vergleichende Einstellungen</translation>
+    </message>
+    <message>
+        <source>Configuration (*.json)</source>
+        <translation>Konfiguration (*.json)</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>The controller's settings are not read: connect first.</source>
+        <translation>Die Einstellungen des Controllers sind nicht gelesen: zuerst verbinden.</translation>
+    </message>
+    <message>
+        <source>No differences.</source>
+        <translation>Keine Unterschiede.</translation>
+    </message>
+    <message>
+        <source>%1 settings differ.</source>
+        <translation>Verschiedene Einstellungen: %1.</translation>
+    </message>
+    <message>
+        <source>Calibrations are left out: their defaults are not known. Defaults marked ≈ in the table of parameters are guesses.</source>
+        <translation>Kalibrierungen sind ausgelassen: Ihre Standardwerte sind unbekannt. In der Parametertabelle mit ≈ markierte Standardwerte sind vermutet.</translation>
+    </message>
+</context>
+<context>
     <name>trex::ConfigTransfer</name>
     <message>
         <source>%1: this controller takes calibration bytes in another way; the nearest value that it can take is written.</source>
         <translation>%1: Dieser Controller nimmt Kalibrierungsbytes auf andere Weise an; geschrieben ist der nächstliegende Wert, den er annehmen kann.</translation>
     </message>
+    <message>
+        <source>%1 while the controller uses its other inputs</source>
+        <translation>%1, während der Controller seine anderen Eingänge verwendet</translation>
+    </message>
+    <message>
+        <source>The last check of all settings could not be done: %1</source>
+        <translation>Die letzte Prüfung aller Einstellungen war nicht möglich: %1</translation>
+    </message>
+    <message>
+        <source>%1 reads %2 now, though nothing was written to it; it is left as it is.</source>
+        <translation>%1 ist jetzt als %2 zu lesen, obwohl nichts dorthin geschrieben wurde; es bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>%1 had been changed by a damaged packet; it is put right.</source>
+        <translation>%1 war durch ein beschädigtes Paket verändert; es ist berichtigt.</translation>
+    </message>
+    <message>
+        <source>%1 did not hold what it should; it is put right.</source>
+        <translation>%1 enthielt nicht den richtigen Wert; es ist berichtigt.</translation>
+    </message>
 </context>
 <context>
     <name>trex::ConnectionPanel</name>
-    <message>
-        <source>%1 baud, no error detection</source>
-        <translation>%1 Baud, ohne Fehlererkennung</translation>
-    </message>
-    <message>
-        <source>%1 baud, even parity</source>
-        <translation>%1 Baud, gerade Parität</translation>
-    </message>
-    <message>
-        <source>%1 baud, odd parity</source>
-        <translation>%1 Baud, ungerade Parität</translation>
-    </message>
-    <message>
-        <source>%1 baud, CRC-7</source>
-        <translation>%1 Baud, CRC-7</translation>
-    </message>
     <message>
         <source>State of the link</source>
         <translation>Zustand der Verbindung</translation>
@@ -3263,14 +4515,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>%1 (%2 von %3).</translation>
     </message>
     <message>
-        <source>Found a %1, firmware %2, at %3, device number %4. Press Connect.</source>
-        <translation>%1 gefunden, Firmware %2, bei %3, Gerätenummer %4. Verbinden drücken.</translation>
-    </message>
-    <message>
-        <source>No controller answered on %1 at any speed. Check the controller's power, that ground and both data wires are connected, and that they are not swapped; then scan again or choose another port.</source>
-        <translation>An %1 hat bei keiner Geschwindigkeit ein Controller geantwortet. Prüfen, ob der Controller versorgt ist und ob Masse und beide Datenleitungen angeschlossen und nicht vertauscht sind; dann erneut suchen oder einen anderen Port wählen.</translation>
-    </message>
-    <message>
         <source>Scan cancelled. Nothing was found so far.</source>
         <translation>Suche abgebrochen. Bisher wurde nichts gefunden.</translation>
     </message>
@@ -3307,16 +4551,40 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Kein Port gefunden. Adapter einstecken oder simulieren.</translation>
     </message>
     <message>
-        <source>It is tried again by itself until you disconnect.</source>
-        <translation>Es wird von selbst erneut versucht, bis Sie trennen.</translation>
-    </message>
-    <message>
         <source>On a network port, speed and parity are those of the serial server.</source>
         <translation>Bei einem Netzwerkport gelten Geschwindigkeit und Parität des seriellen Servers.</translation>
     </message>
     <message>
-        <source>A controller fresh from the factory talks at 19200 baud without error detection.</source>
-        <translation>Ein Controller frisch ab Werk arbeitet mit 19200 Baud ohne Fehlererkennung.</translation>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederfinden</translation>
+    </message>
+    <message>
+        <source>Finds a lost controller: tries the settings that worked last, then every other, and connects with those that answer. Nothing that it sends can move a motor.</source>
+        <translation>Findet einen verlorenen Regler: versucht zuerst die Einstellungen, die zuletzt gingen, dann alle anderen, und verbindet mit denen, die antworten. Nichts, was dabei gesendet wird, kann einen Motor bewegen.</translation>
+    </message>
+    <message>
+        <source>Found a %1, firmware %2, at %3, device number %4.</source>
+        <translation>Gefunden: %1, Firmware %2, mit %3, Gerätenummer %4.</translation>
+    </message>
+    <message>
+        <source>%1 Press Connect.</source>
+        <translation>%1 „Verbinden“ drücken.</translation>
+    </message>
+    <message>
+        <source>No controller answered on %1 at any speed. %2</source>
+        <translation>Auf %1 hat bei keiner Geschwindigkeit ein Regler geantwortet. %2</translation>
+    </message>
+    <message>
+        <source>Cancel sea&amp;rch</source>
+        <translation>Suche abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>It is tried again by itself until you disconnect. Recover looks for it at every speed.</source>
+        <translation>Es wird von selbst weiter versucht, bis Sie trennen. „Wiederfinden“ sucht mit jeder Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>A controller fresh from the factory talks at 19200 baud without error detection. Recover looks for it at every speed.</source>
+        <translation>Ein Regler ab Werk spricht mit 19200 Baud ohne Fehlererkennung. „Wiederfinden“ sucht mit jeder Geschwindigkeit.</translation>
     </message>
 </context>
 <context>
@@ -3376,6 +4644,22 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>Trying again: %1</source>
         <translation>Neuer Versuch: %1</translation>
+    </message>
+    <message>
+        <source>The controller was restarted: %1.</source>
+        <translation>Der Controller wurde neu gestartet: %1.</translation>
+    </message>
+    <message>
+        <source>its channel inputs are read as voltages now, which only a power cycle brings about</source>
+        <translation>seine Kanaleingänge werden jetzt als Spannungen gelesen, was nur ein Aus- und Einschalten bewirkt</translation>
+    </message>
+    <message>
+        <source>its channel inputs are read as RC pulses now, which only a power cycle brings about</source>
+        <translation>seine Kanaleingänge werden jetzt als RC-Impulse gelesen, was nur ein Aus- und Einschalten bewirkt</translation>
+    </message>
+    <message>
+        <source>The controller was silent and answers again: it may have been restarted. Everything is read anew.</source>
+        <translation>Der Controller schwieg und antwortet wieder: Er wurde möglicherweise neu gestartet. Alles wird neu gelesen.</translation>
     </message>
 </context>
 <context>
@@ -3574,6 +4858,21 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     </message>
 </context>
 <context>
+    <name>trex::CurveBox</name>
+    <message>
+        <source>Channel whose response is drawn</source>
+        <translation>Kanal, dessen Kennlinie gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>Confidence in figures</source>
+        <translation>Verlässlichkeit in Zahlen</translation>
+    </message>
+    <message>
+        <source>Response of channel %1</source>
+        <translation>Kennlinie von Kanal %1</translation>
+    </message>
+</context>
+<context>
     <name>trex::DeviceSettings</name>
     <message>
         <source>%1: wrote %2, read back %3</source>
@@ -3590,6 +4889,57 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>the controller (%1)</source>
         <translation>Controller (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>trex::DifferencesDialog</name>
+    <message>
+        <source>Differences in %1</source>
+        <translation>Unterschiede in %1</translation>
+    </message>
+    <message>
+        <source>Leave out what should stay as it is in the controller. Nothing is written before Apply.</source>
+        <translation>Abwählen, was im Controller bleiben soll, wie es ist. Geschrieben wird erst mit Übernehmen.</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Eintragen</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>In controller</source>
+        <translation>Im Controller</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
+    </message>
+    <message>
+        <source>Take &amp;all</source>
+        <translation>&amp;Alle wählen</translation>
+    </message>
+    <message>
+        <source>Take &amp;none</source>
+        <translation>&amp;Keine wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep these as edits</source>
+        <translation>Diese &amp;eintragen</translation>
+    </message>
+    <message>
+        <source>&amp;Leave all</source>
+        <translation>Alles &amp;belassen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 are taken.</source>
+        <translation>%1 von %2 gewählt.</translation>
     </message>
 </context>
 <context>
@@ -3631,6 +4981,49 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     </message>
 </context>
 <context>
+    <name>trex::FactoryResetDialog</name>
+    <message>
+        <source>All parameters in the controller go back to the factory's values. Calibrations stay.</source>
+        <translation>Alle Parameter im Controller kehren auf die Werkseinstellungen zurück. Kalibrierungen bleiben.</translation>
+    </message>
+    <message>
+        <source>First the whole configuration, calibrations included, is saved to a file, from which Load brings it back.</source>
+        <translation>Zuerst wird die ganze Konfiguration samt Kalibrierungen in eine Datei gespeichert, aus der „Laden“ sie zurückholt.</translation>
+    </message>
+    <message>
+        <source>The factory's values are in force after the controller's power was switched off and on.</source>
+        <translation>Die Werkseinstellungen gelten, nachdem der Controller aus- und eingeschaltet wurde.</translation>
+    </message>
+    <message>
+        <source>From then on the line is 19200 baud without error detection, one stop bit, device number 7: that is what to connect with.</source>
+        <translation>Von da an gelten auf der Leitung 19200 Baud ohne Fehlererkennung, ein Stoppbit, Gerätenummer 7: damit verbinden.</translation>
+    </message>
+    <message>
+        <source>≈ That parameter 0x7F with the value 0x7F does this was seen in use but is not stated by the vendor; that the values wait for the power cycle is inferred. What the controller holds afterwards is read from it.</source>
+        <translation>≈ Dass Parameter 0x7F mit dem Wert 0x7F dies bewirkt, wurde im Gebrauch beobachtet, wird vom Hersteller aber nicht angegeben; dass die Werte auf das Aus- und Einschalten warten, ist gefolgert. Was der Controller danach enthält, wird aus ihm gelesen.</translation>
+    </message>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>Alle Parameter zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset all parameters?</source>
+        <translation>Alle Parameter zurücksetzen?</translation>
+    </message>
+    <message>
+        <source>&amp;Yes, all parameters may be overwritten</source>
+        <translation>&amp;Ja, alle Parameter dürfen überschrieben werden</translation>
+    </message>
+    <message>
+        <source>&amp;Save, then reset</source>
+        <translation>&amp;Speichern, dann zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>trex::Indicator</name>
     <message>
         <source>not known</source>
@@ -3650,6 +5043,337 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
             <numerusform>%1, %n-mal gesehen</numerusform>
             <numerusform>%1, %n-mal gesehen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>trex::InterruptionWatch</name>
+    <message>
+        <source>No reading came for %1 s.</source>
+        <translation>%1 s lang kam kein Messwert.</translation>
+    </message>
+    <message>
+        <source>The computer was asleep, or this program stood still.</source>
+        <translation>Der Computer war im Ruhezustand, oder dieses Programm stand still.</translation>
+    </message>
+    <message>
+        <source>No fresh readings came from the controller for %1 s.</source>
+        <translation>%1 s lang kamen keine neuen Messwerte vom Controller.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::JournalDialog</name>
+    <message>
+        <source>Journal</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>&amp;Writes</source>
+        <translation>Schreib&amp;vorgänge</translation>
+    </message>
+    <message>
+        <source>&amp;Checkpoints</source>
+        <translation>Sicherungs&amp;punkte</translation>
+    </message>
+    <message>
+        <source>Why nothing can be written now</source>
+        <translation>Warum jetzt nichts geschrieben werden kann</translation>
+    </message>
+    <message>
+        <source>What happened last</source>
+        <translation>Was zuletzt geschah</translation>
+    </message>
+    <message>
+        <source>Search the journal</source>
+        <translation>Journal durchsuchen</translation>
+    </message>
+    <message>
+        <source>Search setting, value, result or time</source>
+        <translation>Einstellung, Wert, Ergebnis oder Zeit suchen</translation>
+    </message>
+    <message>
+        <source>Whose entries</source>
+        <translation>Wessen Einträge</translation>
+    </message>
+    <message>
+        <source>This controller</source>
+        <translation>Dieser Controller</translation>
+    </message>
+    <message>
+        <source>All controllers</source>
+        <translation>Alle Controller</translation>
+    </message>
+    <message>
+        <source>Writes, the newest first</source>
+        <translation>Schreibvorgänge, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>&amp;Revert to before this…</source>
+        <translation>Stand &amp;davor wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>List what has to be written so that the controller holds what it held before the chosen write</source>
+        <translation>Auflisten, was zu schreiben ist, damit der Controller enthält, was er vor dem gewählten Schreibvorgang enthielt</translation>
+    </message>
+    <message>
+        <source>Configurations that were kept</source>
+        <translation>Festgehaltene Konfigurationen</translation>
+    </message>
+    <message>
+        <source>Name of the checkpoint</source>
+        <translation>Name des Sicherungspunkts</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as it is</source>
+        <translation>&amp;Jetzigen Stand festhalten</translation>
+    </message>
+    <message>
+        <source>Keep the controller's whole configuration under this name</source>
+        <translation>Die ganze Konfiguration des Controllers unter diesem Namen festhalten</translation>
+    </message>
+    <message>
+        <source>Re&amp;store…</source>
+        <translation>&amp;Wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>List what has to be written so that the controller holds this</source>
+        <translation>Auflisten, was zu schreiben ist, damit der Controller dies enthält</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Forget this checkpoint</source>
+        <translation>Diesen Sicherungspunkt löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Save this checkpoint as a configuration file</source>
+        <translation>Diesen Sicherungspunkt als Konfigurationsdatei speichern</translation>
+    </message>
+    <message>
+        <source>What would be written</source>
+        <translation>Was geschrieben würde</translation>
+    </message>
+    <message>
+        <source>What will be written to the controller</source>
+        <translation>Was in den Controller geschrieben wird</translation>
+    </message>
+    <message>
+        <source>W&amp;rite these</source>
+        <translation>Diese sch&amp;reiben</translation>
+    </message>
+    <message>
+        <source>Write the list to the controller and read each value back</source>
+        <translation>Die Liste in den Controller schreiben und jeden Wert zurücklesen</translation>
+    </message>
+    <message>
+        <source>Write &amp;nothing</source>
+        <translation>&amp;Nichts schreiben</translation>
+    </message>
+    <message>
+        <source>Drop the list</source>
+        <translation>Die Liste verwerfen</translation>
+    </message>
+    <message>
+        <source>Not connected: the journal can be read, but nothing can be written.</source>
+        <translation>Nicht verbunden: Das Journal ist lesbar, aber nichts kann geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Waiting for the controller to tell its mode.</source>
+        <translation>Warten, bis der Controller seinen Modus mitteilt.</translation>
+    </message>
+    <message>
+        <source>▲ Nothing can be written: the controller is in %1 mode. Switch its power off, take the mode jumper off, and switch it on again.</source>
+        <translation>▲ Nichts kann geschrieben werden: Der Controller ist im %1-Modus. Ausschalten, Modus-Steckbrücke abziehen und wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>RC</source>
+        <translation>RC</translation>
+    </message>
+    <message>
+        <source>analog</source>
+        <translation>Analog</translation>
+    </message>
+    <message>
+        <source>To hold what it held before %1 (%2), the controller needs:</source>
+        <translation>Um zu enthalten, was er vor %1 (%2) enthielt, braucht der Controller:</translation>
+    </message>
+    <message>
+        <source>To hold the configuration of %1, the controller needs:</source>
+        <translation>Um die Konfiguration vom %1 zu enthalten, braucht der Controller:</translation>
+    </message>
+    <message>
+        <source>Reading everything from the controller.</source>
+        <translation>Lesen aller Einstellungen aus dem Controller.</translation>
+    </message>
+    <message>
+        <source>%1 (acts after a power cycle)</source>
+        <translation>%1 (wirkt nach Aus- und Einschalten)</translation>
+    </message>
+    <message>
+        <source>Nothing: it holds all of that already.</source>
+        <translation>Nichts: Er enthält all das bereits.</translation>
+    </message>
+    <message>
+        <source>Writing to the controller.</source>
+        <translation>Schreiben in den Controller.</translation>
+    </message>
+    <message>
+        <source>The configuration is kept as %1.</source>
+        <translation>Die Konfiguration ist als %1 festgehalten.</translation>
+    </message>
+    <message>
+        <source>The checkpoint %1 is deleted.</source>
+        <translation>Der Sicherungspunkt %1 ist gelöscht.</translation>
+    </message>
+    <message>
+        <source>Export the checkpoint</source>
+        <translation>Sicherungspunkt exportieren</translation>
+    </message>
+    <message>
+        <source>Configuration (*.json)</source>
+        <translation>Konfiguration (*.json)</translation>
+    </message>
+    <message>
+        <source>The checkpoint is saved in %1.</source>
+        <translation>Der Sicherungspunkt ist in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Journal…</source>
+        <translation>&amp;Journal…</translation>
+    </message>
+    <message>
+        <source>Not connected. Choose "All controllers" to read the journal.</source>
+        <translation>Nicht verbunden. „Alle Regler“ wählen, um das Journal zu lesen.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::JournalModel</name>
+    <message>
+        <source>Entry %1, written by %2 to %3</source>
+        <translation>Eintrag %1, von %2 in %3 geschrieben</translation>
+    </message>
+    <message>
+        <source>Packet %1</source>
+        <translation>Paket %1</translation>
+    </message>
+    <message>
+        <source>Found out %1</source>
+        <translation>Festgestellt %1</translation>
+    </message>
+    <message>
+        <source>not asked who it is</source>
+        <translation>nicht nach Signatur gefragt</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Controller</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Old → new</source>
+        <translation>Alt → neu</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>trex::LineChange</name>
+    <message>
+        <source>Waiting for the power cycle: switch the controller off and on. From then on it answers with %1; the connection follows by itself.</source>
+        <translation>Warten auf das Aus- und Einschalten: den Controller aus- und einschalten. Von da an antwortet er mit %1; die Verbindung folgt von selbst.</translation>
+    </message>
+    <message>
+        <source>The line settings change at the next power cycle, to %1.</source>
+        <translation>Die Leitungseinstellungen wechseln beim nächsten Aus- und Einschalten zu %1.</translation>
+    </message>
+    <message>
+        <source>The controller is silent. Looking for it with %1…</source>
+        <translation>Der Controller schweigt. Suche mit %1…</translation>
+    </message>
+    <message>
+        <source>The controller answers neither with the new settings nor with the old.</source>
+        <translation>Der Controller antwortet weder mit den neuen noch mit den alten Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Searching: %1 (%2 of %3).</source>
+        <translation>Suche: %1 (%2 von %3).</translation>
+    </message>
+    <message>
+        <source>The controller answers neither with %1 nor with %2. Searching for it…</source>
+        <translation>Der Controller antwortet weder mit %1 noch mit %2. Er wird gesucht…</translation>
+    </message>
+    <message>
+        <source>No controller was found after the change of its line settings. %1 %2</source>
+        <translation>Nach der Änderung seiner Leitungseinstellungen wurde der Controller nicht gefunden. %1 %2</translation>
+    </message>
+    <message>
+        <source>The controller answers with %1.</source>
+        <translation>Der Controller antwortet mit %1.</translation>
+    </message>
+    <message>
+        <source>The controller still answers with the old settings, %1. Switch it off and on; from then on it answers with %2.</source>
+        <translation>Der Controller antwortet noch mit den alten Einstellungen, %1. Aus- und einschalten; von da an antwortet er mit %2.</translation>
+    </message>
+    <message>
+        <source>its new line settings are in force</source>
+        <translation>seine neuen Leitungseinstellungen gelten</translation>
+    </message>
+    <message>
+        <source>%1 It was asked to use %2.</source>
+        <translation>%1 Verlangt war %2.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::LineChangeBox</name>
+    <message>
+        <source>Change of the line settings</source>
+        <translation>Änderung der Leitungseinstellungen</translation>
+    </message>
+    <message>
+        <source>Reconnect &amp;now</source>
+        <translation>Jetzt &amp;neu verbinden</translation>
+    </message>
+    <message>
+        <source>Search no&amp;w</source>
+        <translation>Jetzt s&amp;uchen</translation>
+    </message>
+    <message>
+        <source>Canc&amp;el</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Looks for the controller at once, with its new line settings and its old ones.</source>
+        <translation>Sucht den Regler sofort, mit seinen neuen und seinen alten Leitungseinstellungen.</translation>
+    </message>
+    <message>
+        <source>Tries every baud rate and error detection on this port.</source>
+        <translation>Versucht jede Baudrate und jede Fehlererkennung an diesem Anschluss.</translation>
+    </message>
+    <message>
+        <source>Waits no longer. What is stored in the controller stays.</source>
+        <translation>Wartet nicht länger. Was im Regler gespeichert ist, bleibt.</translation>
     </message>
 </context>
 <context>
@@ -4320,24 +6044,36 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>abgelehnt</translation>
     </message>
     <message>
-        <source>≈ The vendor does not state the default: %1.</source>
-        <translation>≈ Der Hersteller gibt den Standard nicht an: %1.</translation>
-    </message>
-    <message>
-        <source>(unsure) The meaning is not stated by the vendor: %1.</source>
-        <translation>(unsicher) Der Hersteller gibt die Bedeutung nicht an: %1.</translation>
-    </message>
-    <message>
         <source>Source: %1</source>
         <translation>Quelle: %1</translation>
+    </message>
+    <message>
+        <source>How sure</source>
+        <translation>Wie sicher</translation>
+    </message>
+    <message>
+        <source>≈ default</source>
+        <translation>≈ Standard</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Meaning: %1. Default: %2.</source>
+        <translation>Bedeutung: %1. Standard: %2.</translation>
+    </message>
+    <message>
+        <source>≈ The scale in amperes is inferred for the TReX.</source>
+        <translation>≈ Die Skala in Ampere ist für den TReX gefolgert.</translation>
+    </message>
+    <message>
+        <source>edited ▲</source>
+        <translation>geändert ▲</translation>
     </message>
 </context>
 <context>
     <name>trex::ParameterTable</name>
-    <message>
-        <source>Auxiliary motor PWM maximum</source>
-        <translation>PWM-Maximum Hilfsmotor</translation>
-    </message>
     <message>
         <source>power cycle</source>
         <translation>Aus/Ein nötig</translation>
@@ -4357,6 +6093,18 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>This controller did not tell its value of this parameter.</source>
         <translation>Dieser Controller hat seinen Wert für diesen Parameter nicht mitgeteilt.</translation>
+    </message>
+    <message>
+        <source>≈ inferred, quite sure</source>
+        <translation>≈ gefolgert, recht sicher</translation>
+    </message>
+    <message>
+        <source>Auxiliary PWM maximum ≈</source>
+        <translation>PWM-Maximum Zusatzmotor ≈</translation>
+    </message>
+    <message>
+        <source>no channel (0)</source>
+        <translation>kein Kanal (0)</translation>
     </message>
 </context>
 <context>
@@ -4396,18 +6144,6 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>Needs a power cycle: switch the controller off and on to put in force: %1.</source>
         <translation>Aus- und Einschalten des Controllers nötig; erst danach gilt: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing to write.</source>
-        <translation>Nichts zu schreiben.</translation>
-    </message>
-    <message>
-        <source>Will be written: %1.</source>
-        <translation>Wird geschrieben: %1.</translation>
-    </message>
-    <message>
-        <source>Needs a power cycle afterwards: %1.</source>
-        <translation>Aus- und Einschalten danach nötig: %1.</translation>
     </message>
     <message>
         <source>Nothing is written to the controller, because the present settings could not be saved first: %1 Apply once more to write without that copy.</source>
@@ -4530,10 +6266,6 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop writing and put back what was written</source>
-        <translation>Schreiben abbrechen und Geschriebenes zurücksetzen</translation>
-    </message>
-    <message>
         <source>&amp;Revert</source>
         <translation>Ver&amp;werfen</translation>
     </message>
@@ -4548,6 +6280,122 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>Write what differs to the controller now and read it back</source>
         <translation>Abweichendes jetzt in den Controller schreiben und zurücklesen</translation>
+    </message>
+    <message>
+        <source>Put &amp;back 1 value</source>
+        <translation>1 Wert &amp;zurückschreiben</translation>
+    </message>
+    <message>
+        <source>Put &amp;back %1 values</source>
+        <translation>%1 Werte &amp;zurückschreiben</translation>
+    </message>
+    <message>
+        <source>What you wanted stands as an edit again.</source>
+        <translation>Das Gewünschte steht wieder als Änderung da.</translation>
+    </message>
+    <message>
+        <source>Put it back, or keep it?</source>
+        <translation>Zurückschreiben oder behalten?</translation>
+    </message>
+    <message>
+        <source>The file is of a controller %1, this one is %2: amperes and frequencies may mean other things.</source>
+        <translation>Die Datei stammt von einem Controller %1, dieser ist %2: Ampere und Frequenzen können anderes bedeuten.</translation>
+    </message>
+    <message>
+        <source>Nothing is reset. %1</source>
+        <translation>Nichts wird zurückgesetzt. %1</translation>
+    </message>
+    <message>
+        <source>Nothing is reset, because the present settings could not be saved first: %1</source>
+        <translation>Nichts wird zurückgesetzt, weil die jetzigen Einstellungen vorher nicht gespeichert werden konnten: %1</translation>
+    </message>
+    <message>
+        <source>Resetting all parameters: %1 The settings are saved in %2.</source>
+        <translation>Alle Parameter werden zurückgesetzt: %1 Die Einstellungen sind in %2 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The controller has taken the order to reset all parameters. Switch its power off and on; then it answers at 19200 baud without error detection, device number 7. The settings before are saved in %1.</source>
+        <translation>Der Controller hat den Befehl angenommen, alle Parameter zurückzusetzen. Aus- und einschalten; dann antwortet er mit 19200 Baud ohne Fehlererkennung, Gerätenummer 7. Die bisherigen Einstellungen sind in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Which parameters</source>
+        <translation>Welche Parameter</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Geändert</translation>
+    </message>
+    <message>
+        <source>Not default</source>
+        <translation>Abweichend</translation>
+    </message>
+    <message>
+        <source>&amp;More</source>
+        <translation>&amp;Mehr</translation>
+    </message>
+    <message>
+        <source>What is not needed every day</source>
+        <translation>Was nicht jeden Tag gebraucht wird</translation>
+    </message>
+    <message>
+        <source>&amp;Compare settings…</source>
+        <translation>Einstellungen &amp;vergleichen…</translation>
+    </message>
+    <message>
+        <source>Reset to &amp;factory defaults…</source>
+        <translation>Auf &amp;Werkseinstellungen zurücksetzen…</translation>
+    </message>
+    <message>
+        <source>No parameter is shown</source>
+        <translation>Kein Parameter wird gezeigt</translation>
+    </message>
+    <message>
+        <source>No parameter is found. Clear the search to see all.</source>
+        <translation>Kein Parameter gefunden. Die Suche leeren, um alle zu sehen.</translation>
+    </message>
+    <message>
+        <source>No parameter is found: "%1" is chosen beside the search.</source>
+        <translation>Kein Parameter gefunden: Neben der Suche ist „%1“ gewählt.</translation>
+    </message>
+    <message>
+        <source>%v of %m</source>
+        <translation>%v von %m</translation>
+    </message>
+    <message>
+        <source>Stop writing after the setting that is being written now</source>
+        <translation>Das Schreiben nach der Einstellung beenden, die gerade geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Write the values back that the controller had before</source>
+        <translation>Die Werte zurückschreiben, die der Controller zuvor hatte</translation>
+    </message>
+    <message>
+        <source>&amp;Keep them</source>
+        <translation>B&amp;ehalten</translation>
+    </message>
+    <message>
+        <source>Leave what was written as it is in the controller</source>
+        <translation>Das Geschriebene im Controller belassen, wie es ist</translation>
+    </message>
+    <message>
+        <source>What was written stays in the controller.</source>
+        <translation>Das Geschriebene bleibt im Controller.</translation>
+    </message>
+    <message>
+        <source>Power cycle</source>
+        <translation>Aus-/Einschalten</translation>
+    </message>
+    <message>
+        <source>Which parameters are shown: all, those with edits, those that are not as from the factory, or those that need a power cycle</source>
+        <translation>Welche Parameter gezeigt werden: alle, die geänderten, die nicht wie ab Werk sind, oder die ein Aus- und Einschalten brauchen</translation>
+    </message>
+    <message>
+        <source>&amp;Journal of writes…</source>
+        <translation>&amp;Journal der Schreibvorgänge …</translation>
     </message>
 </context>
 <context>
@@ -4576,6 +6424,68 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
 </context>
 <context>
+    <name>trex::RawSpinBox</name>
+    <message>
+        <source>%1: %2 is outside of what can be stored, %3; the value stays as it was.</source>
+        <translation>%1: %2 liegt außerhalb des Speicherbaren, %3; der Wert bleibt, wie er war.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" is no number that can be stored, %3; the value stays as it was.</source>
+        <translation>%1: „%2“ ist keine speicherbare Zahl, %3; der Wert bleibt, wie er war.</translation>
+    </message>
+    <message>
+        <source>%1 has its top bit clear. The top bit of the polynomial is always 1 and is not stored, so %1 is taken as what is stored: the polynomial in full is %2.</source>
+        <translation>Bei %1 ist das oberste Bit gelöscht. Das oberste Bit des Polynoms ist immer 1 und wird nicht gespeichert, daher gilt %1 als das Gespeicherte: Das vollständige Polynom ist %2.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::ResponseCurveView</name>
+    <message>
+        <source>The calibration has not been read yet.</source>
+        <translation>Die Kalibrierung ist noch nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>No fresh reading.</source>
+        <translation>Kein neuer Messwert.</translation>
+    </message>
+    <message>
+        <source>%1: %2 before, %3 new</source>
+        <translation>%1: %2 zuvor, %3 neu</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Response of channel %1</source>
+        <translation>Kennlinie von Kanal %1</translation>
+    </message>
+    <message>
+        <source>What channel %1 makes of its input. ≈: the exact form of the parabola is not published; this one is a guess.</source>
+        <translation>Was Kanal %1 aus seinem Eingang macht. ≈: Die genaue Form der Parabel ist nicht veröffentlicht; diese ist vermutet.</translation>
+    </message>
+    <message>
+        <source>What channel %1 makes of its input.</source>
+        <translation>Was Kanal %1 aus seinem Eingang macht.</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>zuvor</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>≈ parabolic</source>
+        <translation>≈ parabolisch</translation>
+    </message>
+</context>
+<context>
     <name>trex::Scan</name>
     <message>
         <source>Trying %1 baud, error detection %2</source>
@@ -4585,6 +6495,16 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>%1, device %2</source>
         <translation>%1, Gerät %2</translation>
+    </message>
+</context>
+<context>
+    <name>trex::SessionRecorder</name>
+    <message numerus="yes">
+        <source>The disk was too slow: %n events or packets were left out so far.</source>
+        <translation>
+            <numerusform>Der Datenträger war zu langsam: %n Ereignis oder Paket wurde bisher ausgelassen.</numerusform>
+            <numerusform>Der Datenträger war zu langsam: %n Ereignisse oder Pakete wurden bisher ausgelassen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4837,6 +6757,41 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>Disarmed: nothing is sent to the motors. Arm to drive them.</source>
         <translation>Gesichert: An die Motoren wird nichts gesendet. Zum Antreiben scharf schalten.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::WriteAudit</name>
+    <message>
+        <source>The settings as they were could not be saved first: %1</source>
+        <translation>Die bisherigen Einstellungen konnten vorher nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is written to the controller, because the settings as they are could not be saved first: %1 Do it once more to write without that copy and its journal.</source>
+        <translation>Nichts wird in den Controller geschrieben, weil die jetzigen Einstellungen vorher nicht gespeichert werden konnten: %1 Nochmals ausführen, um ohne diese Kopie und ihr Journal zu schreiben.</translation>
+    </message>
+    <message>
+        <source>The result of a write is not recorded: %1</source>
+        <translation>Das Ergebnis eines Schreibvorgangs ist nicht aufgezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>%1, write of %2 that was interrupted</source>
+        <translation>%1, unterbrochener Schreibvorgang vom %2</translation>
+    </message>
+    <message>
+        <source>%1: the controller holds the new value, %2.</source>
+        <translation>%1: Der Controller enthält den neuen Wert, %2.</translation>
+    </message>
+    <message>
+        <source>%1: the controller holds the old value, %2.</source>
+        <translation>%1: Der Controller enthält den alten Wert, %2.</translation>
+    </message>
+    <message>
+        <source>%1: the controller holds another value, %2.</source>
+        <translation>%1: Der Controller enthält einen anderen Wert, %2.</translation>
+    </message>
+    <message>
+        <source>%1: whether it took place cannot be read back; look at the parameters after the next power cycle.</source>
+        <translation>%1: Ob es geschah, lässt sich nicht zurücklesen; nach dem nächsten Aus- und Einschalten die Parameter ansehen.</translation>
     </message>
 </context>
 </TS>

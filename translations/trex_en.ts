@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US">
 <context>
+    <name>Recording</name>
+    <message numerus="yes">
+        <source>The recording is damaged: %n parts are left out.</source>
+        <translation>
+            <numerusform>The recording is damaged: %n part is left out.</numerusform>
+            <numerusform>The recording is damaged: %n parts are left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>trex::CurrentsPanel</name>
     <message numerus="yes">
         <source>%n sample(s) exported to %1.</source>
@@ -35,6 +45,16 @@
         <translation>
             <numerusform>%n error</numerusform>
             <numerusform>%n errors</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>trex::SessionRecorder</name>
+    <message numerus="yes">
+        <source>The disk was too slow: %n events or packets were left out so far.</source>
+        <translation>
+            <numerusform>The disk was too slow: %n event or packet was left out so far.</numerusform>
+            <numerusform>The disk was too slow: %n events or packets were left out so far.</numerusform>
         </translation>
     </message>
 </context>

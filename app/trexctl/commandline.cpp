@@ -110,7 +110,11 @@ void CommandLine::addVerbs()
         app.description(words(Cli::tr(row.help)));
         Verb* const verb = m_verbs.emplace_back(row.make()).get();
         verb->declare(app);
-        app.final_callback([this, verb] { m_chosen = verb; });
+        app.final_callback([this, verb, &app] {
+            if (app.get_subcommands().empty()) { // else a command below it was typed
+                m_chosen = verb;
+            }
+        });
     }
 }
 

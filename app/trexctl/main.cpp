@@ -4,6 +4,7 @@
 #include "app/common/version.h"
 #include "app/trexctl/commandline.h"
 #include "app/trexctl/session.h"
+#include "protocol/storage/datafolder.h"
 #include "protocol/storage/linesettingsstore.h"
 
 #include <QCoreApplication>
@@ -17,7 +18,8 @@ namespace {
 int run(CommandLine& commandLine, SettingsFile& settings, const OpenOptions& options)
 {
     SignalWatcher signalWatcher{SIGINT, SIGTERM, SIGUSR1};
-    Session session(commandLine.verb(), options, commandLine.isJson());
+    Session session(commandLine.verb(), options, commandLine.isJson(),
+                    journalPath(settings.path()));
     logWire(session.controller(), commandLine.verbosity());
     QObject::connect(&session, &Session::finished, qApp, &QCoreApplication::exit);
     QObject::connect(&session, &Session::connected, &session, [&] {

@@ -31,16 +31,20 @@ bool isPortLoss(const Error& error)
 
 } // namespace
 
-Session::Session(Verb& verb, const OpenOptions& options, bool isJson)
+Session::Session(Verb& verb, const OpenOptions& options, bool isJson, const QString& journalPath)
     : m_verb(verb)
     , m_options(optionsFor(verb, options))
     , m_output(isJson)
     , m_controller(nullptr, nullptr)
     , m_settings(m_controller)
+    , m_journal(journalPath)
+    , m_audit(m_controller, m_settings, m_journal, WriteAudit::WhenUnsaved::GoOn)
 {
     m_watchdog.setSingleShot(true);
     connect(&m_controller, &Controller::stateChanged, this, &Session::onState);
     connect(&m_controller, &Controller::closed, this, &Session::finish);
+    connect(&m_audit, &WriteAudit::told, this,
+            [this](int /*severity*/, const QString& sentence) { warn(sentence); });
     connect(&m_controller, &Controller::recordsArrived, this,
             [this](const std::vector<TransactionRecord>& records) {
                 for (const auto& record : records) {
@@ -90,7 +94,15 @@ void Session::begin()
     m_hasBegun = true;
     m_watchdog.stop();
     m_watchdog.disconnect();
-    m_task = m_verb.run(*this);
+    if (!m_verb.usesSettings()) {
+        m_task = m_verb.run(*this);
+        return;
+    }
+    m_audit.resolve(this, [this] {
+        if (!hasEnded()) {
+            m_task = m_verb.run(*this);
+        }
+    });
 }
 
 Required<Reply> Session::ask(const Command& command)

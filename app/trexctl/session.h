@@ -5,6 +5,7 @@
 #include "app/trexctl/failure.h"
 #include "app/trexctl/output.h"
 #include "app/trexctl/task.h"
+#include "protocol/procedures/writeaudit.h"
 #include "protocol/session/devicesettings.h"
 
 #include <QTimer>
@@ -23,7 +24,7 @@ class Session : public QObject {
     Q_DISABLE_COPY_MOVE(Session)
 
 public:
-    Session(Verb& verb, const OpenOptions& options, bool isJson);
+    Session(Verb& verb, const OpenOptions& options, bool isJson, const QString& journalPath);
     ~Session() override;
 
     void start();
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] const OpenOptions& options() const { return m_options; }
     [[nodiscard]] Controller& controller() { return m_controller; }
     [[nodiscard]] DeviceSettings& settings() { return m_settings; }
+    [[nodiscard]] WriteAudit& audit() { return m_audit; }
+    [[nodiscard]] Journal& journal() { return m_journal; }
     [[nodiscard]] Output& output() { return m_output; }
     /// Packets of the motors that have left so far, one after another.
     [[nodiscard]] QByteArray sentMotorBytes() const { return m_sentMotorBytes; }
@@ -76,6 +79,8 @@ private:
     Output m_output;
     Controller m_controller;
     DeviceSettings m_settings;
+    Journal m_journal;
+    WriteAudit m_audit;
     QTimer m_watchdog;
     QByteArray m_sentMotorBytes;
     QStringList m_warnings;

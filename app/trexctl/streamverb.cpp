@@ -22,8 +22,11 @@ Duration secondsToDuration(double seconds)
 
 void StreamVerb::declare(CLI::App& app)
 {
-    app.add_flag("--watch", m_isWatching,
-                 Cli::tr("a stream until SIGINT (Ctrl+C) or --duration").toStdString());
+    const bool isStream = m_kind == Kind::Stream;
+    if (!isStream) {
+        app.add_flag("--watch", m_isWatching,
+                     Cli::tr("a stream until SIGINT (Ctrl+C) or --duration").toStdString());
+    }
     const auto addText = [&app](const char* name, const char* unit, QString& target,
                                 const QString& help) {
         app.add_option_function<std::string>(
@@ -31,8 +34,12 @@ void StreamVerb::declare(CLI::App& app)
                help.toStdString())
             ->type_name(unit);
     };
-    addText("--rate", "HZ", m_rateText, Cli::tr("samples a second, default 20; implies --watch"));
-    addText("--duration", "S", m_durationText, Cli::tr("seconds to watch; implies --watch"));
+    addText("--rate", "HZ", m_rateText,
+            isStream ? Cli::tr("samples a second, default 20")
+                     : Cli::tr("samples a second, default 20; implies --watch"));
+    addText("--duration", "S", m_durationText,
+            isStream ? Cli::tr("seconds; without it until SIGINT (Ctrl+C)")
+                     : Cli::tr("seconds to watch; implies --watch"));
 }
 
 Checked StreamVerb::check(const OpenOptions&)
@@ -63,16 +70,14 @@ Task StreamVerb::run(Session& session)
         conclude(session, exitcode::kDone);
         co_return;
     }
+    static_cast<void>(co_await prepare(session));
     m_silence.setSingleShot(true);
-    m_silence.callOnTimeout(&session, [this, &session] {
-        static_cast<void>(finish());
-        session.fail(m_lastError);
-    });
+    m_silence.callOnTimeout(&session, [this, &session] { endBySilence(session); });
     const Duration period = secondsToDuration(1.0 / m_hertz);
     const Instant first = clockNow();
     const Instant end = m_duration ? first + secondsToDuration(*m_duration) : Instant::max();
     Instant due = first;
-    while (!session.hasEnded()) {
+    while (!session.hasEnded() && !m_isConcluding) {
         if (!m_silence.isActive()) {
             m_silence.start(kLongestSilence);
         }
@@ -85,6 +90,9 @@ Task StreamVerb::run(Session& session)
                 break;
             }
             replies.push_back(std::move(*reply));
+        }
+        if (m_isConcluding) {
+            break;
         }
         if (replies.size() == asked.size()) {
             m_silence.stop();
@@ -100,10 +108,24 @@ Task StreamVerb::run(Session& session)
         }
         co_await session.sleepUntil(due);
     }
-    if (m_isWatching && !session.hasEnded()) {
+    if (m_isWatching && !session.hasEnded() && !m_isConcluding) {
         co_await session.sleepUntil(end);
     }
-    conclude(session, exitcode::kDone);
+    if (!m_isConcluding) {
+        conclude(session, exitcode::kDone);
+    }
+}
+
+Attempt<void> StreamVerb::prepare(Session& session)
+{
+    return session.attempt<void>([](const Awaiting<void>::Handler& handler) { handler({}); });
+}
+
+void StreamVerb::endBySilence(Session& session)
+{
+    if (!std::exchange(m_isConcluding, true)) {
+        finish([this, &session](const Result<void>&) { session.fail(m_lastError); });
+    }
 }
 
 void StreamVerb::onSample(Session& session, const std::vector<Reply>& replies)
@@ -128,14 +150,23 @@ void StreamVerb::interrupted(Session& session)
 void StreamVerb::conclude(Session& session, int exitCode)
 {
     m_silence.stop();
+    if (std::exchange(m_isConcluding, true)) {
+        session.end(exitCode); // interrupted again: not even the flushing is waited for
+        return;
+    }
     if (m_skipped > 0) {
         session.warn(Cli::tr("%1 samples failed and are left out.").arg(m_skipped));
     }
-    if (const auto flushed = finish(); !flushed) {
-        session.fail(flushed.error());
-        return;
-    }
-    session.end(exitCode);
+    finish([this, &session, exitCode](const Result<void>& flushed) {
+        if (!flushed) {
+            session.fail(flushed.error());
+            return;
+        }
+        if (exitCode == exitcode::kDone && !session.hasEnded()) {
+            answer(session);
+        }
+        session.end(exitCode);
+    });
 }
 
 } // namespace trex

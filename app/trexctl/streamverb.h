@@ -17,6 +17,9 @@ public:
     static constexpr double kLongestSeconds = 366.0 * 86400.0;
     static constexpr std::chrono::seconds kLongestSilence{2};
 
+    enum class Kind { Sample, Stream }; ///< one sample unless --watch, or always a stream
+    explicit StreamVerb(Kind kind = Kind::Sample) : m_kind(kind) { }
+
     void declare(CLI::App& app) override;
     [[nodiscard]] Checked check(const OpenOptions& options) override;
     [[nodiscard]] bool ridesOverLoss() const override { return m_isWatching; }
@@ -24,6 +27,7 @@ public:
     void interrupted(Session& session) final;
 
 protected:
+    using FinishHandler = std::function<void(const Result<void>&)>;
     [[nodiscard]] bool isWatching() const { return m_isWatching; }
     /// Asked once, before the samples.
     [[nodiscard]] virtual Command firstQuestion() const = 0;
@@ -32,13 +36,21 @@ protected:
     [[nodiscard]] virtual std::vector<Command> questions() const = 0;
     /// Prints one sample; `seconds` since the first.
     virtual void print(Session& session, double seconds, const std::vector<Reply>& replies) = 0;
-    virtual Result<void> finish() { return {}; } ///< whatever has to be flushed
+    /// Asked for before the first sample, whatever comes of it.
+    virtual Attempt<void> prepare(Session& session);
+    /// Whatever has to be flushed; `done` is called once it is.
+    virtual void finish(const FinishHandler& done) { done({}); }
+    virtual void answer(Session&) { } ///< what a stream says when it is done
+    [[nodiscard]] qint64 skipped() const { return m_skipped; }
 
 private:
     void conclude(Session& session, int exitCode);
+    void endBySilence(Session& session);
     void onSample(Session& session, const std::vector<Reply>& replies);
 
-    bool m_isWatching = false;
+    Kind m_kind;
+    bool m_isWatching = m_kind == Kind::Stream;
+    bool m_isConcluding = false;
     QString m_rateText;
     QString m_durationText;
     double m_hertz = kUsualHertz;

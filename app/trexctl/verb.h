@@ -32,6 +32,8 @@ public:
     /// True for streams: a controller that falls silent for a moment does not end them.
     [[nodiscard]] virtual bool ridesOverLoss() const { return false; }
     /// Runs until session.end() or session.fail().
+    /// True: what an interrupted write left unknown in the controller is read back first.
+    [[nodiscard]] virtual bool usesSettings() const { return false; }
     virtual Task run(Session& session) = 0;
     virtual void interrupted(Session& session) { session.end(exitcode::kInterrupted); }
     virtual void powerCycle() { } ///< SIGUSR1; only the simulator takes notice

@@ -24,6 +24,7 @@ bool isLearned(const Reply& learned, int channel)
 
 class CalibrationGetVerb : public Verb {
 public:
+    [[nodiscard]] bool usesSettings() const override { return true; }
     void declare(CLI::App& app) override
     {
         app.add_option("N", m_channelText, Cli::tr("channel 1 to 5; default: all").toStdString())
@@ -66,6 +67,7 @@ private:
 
 class CalibrationSetVerb : public Verb {
 public:
+    [[nodiscard]] bool usesSettings() const override { return true; }
     void declare(CLI::App& app) override
     {
         const std::array<std::pair<const char*, QString>, 5> arguments{

@@ -3,6 +3,7 @@
 #include "app/trexctl/verbs.h"
 #include "protocol/codec/packet.h"
 #include "protocol/procedures/configtransfer.h"
+#include "protocol/storage/configadapt.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -16,15 +17,20 @@ namespace {
 
 class ConfigVerb : public Verb {
 public:
+    [[nodiscard]] bool usesSettings() const override { return true; }
     void declare(CLI::App& app) override
     {
-        app.add_option("FILE", m_fileText, Cli::tr("configuration file (JSON)").toStdString())
+        app.add_option(
+               "FILE", m_fileText,
+               Cli::tr("configuration file (JSON); texts under keys of your own are comments")
+                   .toStdString())
             ->required()
             ->type_name("");
     }
 
 protected:
     [[nodiscard]] QString path() const { return QString::fromStdString(m_fileText); }
+    void setPath(const std::string& text) { m_fileText = text; }
 
     /// Everything that the controller holds.
     Required<Configuration> readController(Session& session)
@@ -122,6 +128,19 @@ public:
 
 protected:
     [[nodiscard]] const Configuration& wanted() const { return m_wanted; }
+    /// As this controller is to have it, which may be of another model or firmware.
+    [[nodiscard]] Configuration wantedFor(Session& session) const
+    {
+        const auto& signature = session.controller().device().signature;
+        if (!signature) {
+            return m_wanted;
+        }
+        const AdaptedConfiguration adapted = adaptedTo(*signature, m_wanted);
+        for (const QString& note : adapted.notes) {
+            session.warn(note);
+        }
+        return adapted.configuration;
+    }
 
 private:
     Configuration m_wanted;
@@ -129,14 +148,112 @@ private:
 
 class ConfigDiffVerb : public ConfigFileVerb {
 public:
+    void declare(CLI::App& app) override
+    {
+        app.add_option(
+               "FILE", m_texts[0],
+               Cli::tr("configuration file (JSON); texts under keys of your own are comments")
+                   .toStdString())
+            ->type_name("");
+        app.add_option("FILE2", m_texts[1],
+                       Cli::tr("another one: compare the two, without a controller").toStdString())
+            ->type_name("");
+        app.add_flag("--defaults", m_isAgainstDefaults,
+                     Cli::tr("compare the controller with the factory defaults").toStdString());
+    }
+
+    Checked check(const OpenOptions& options) override
+    {
+        if (m_isAgainstDefaults != m_texts[0].empty()) {
+            return usage(m_isAgainstDefaults
+                             ? Cli::tr("--defaults takes no file.")
+                             : Cli::tr("Give a file to compare with, or --defaults."));
+        }
+        if (m_isAgainstDefaults) {
+            return {};
+        }
+        setPath(m_texts[0]);
+        const Checked first = ConfigFileVerb::check(options);
+        if (!first || m_texts[1].empty()) {
+            return first;
+        }
+        return checked(loadConfiguration(QString::fromStdString(m_texts[1]))
+                           .map([this](const Configuration& second) { m_second = second; }));
+    }
+
+    [[nodiscard]] Line line() const override
+    {
+        return m_texts[1].empty() ? ConfigFileVerb::line() : Line::None;
+    }
+    [[nodiscard]] bool usesSettings() const override { return m_texts[1].empty(); }
+
     Task run(Session& session) override
     {
+        if (m_second) {
+            compareFiles(session);
+            co_return;
+        }
         const Configuration present = co_await readController(session);
-        const TransferPlan plan = planFor(session, present, wanted());
+        const Configuration other =
+            m_isAgainstDefaults ? defaultConfiguration() : wantedFor(session);
+        const TransferPlan plan = planFor(session, present, other);
         session.output().answer(json(plan), text(plan));
-        warnAbout(session, plan, wanted());
+        warnAbout(session, plan, other);
+        if (m_isAgainstDefaults) {
+            warnAboutDefaults(session, plan);
+        }
         session.end();
     }
+
+private:
+    /// From the first to the second; both input sets, since neither has to be in force.
+    void compareFiles(Session& session)
+    {
+        TransferPlan plan = planTransfer(wanted(), *m_second, InputKind::Rc);
+        Configuration analog = *m_second;
+        analog.parameters.clear();
+        analog.calibrations.erase(InputKind::Rc);
+        const TransferPlan rest = planTransfer(wanted(), analog, InputKind::Analog);
+        plan.writes.insert(plan.writes.end(), rest.writes.begin(), rest.writes.end());
+        QJsonObject document = json(plan);
+        QString lines = text(plan);
+        QJsonArray only;
+        for (const auto& change : differences(*m_second, wanted())) {
+            if (!change.from) {
+                only.append(change.key);
+                lines += u'\n' + Cli::tr("%1: only in %2").arg(change.key, path());
+            }
+        }
+        if (!only.isEmpty()) {
+            document.insert(u"onlyInFirst"_s, only);
+        }
+        session.output().answer(document, lines);
+        for (const auto& file : {wanted(), *m_second}) {
+            if (const QString remark = remarkOn(file); !remark.isEmpty()) {
+                session.warn(remark);
+            }
+        }
+        session.end();
+    }
+
+    static void warnAboutDefaults(Session& session, const TransferPlan& plan)
+    {
+        QStringList guesses;
+        for (const auto& write : plan.writes) {
+            if (isGuess(write.row->defaultGrade)) {
+                guesses << write.key();
+            }
+        }
+        if (!guesses.isEmpty()) {
+            session.warn(Cli::tr("The vendor does not state these defaults, they are guesses: %1.")
+                             .arg(guesses.join(u", "_s)));
+        }
+        session.warn(Cli::tr("Calibrations are not compared: their defaults are not documented."));
+    }
+
+    std::array<std::string, 2> m_texts;
+    bool m_isAgainstDefaults = false;
+    std::optional<Configuration> m_second;
 };
 
 class ConfigLoadVerb : public ConfigFileVerb {
@@ -151,7 +268,7 @@ public:
     Task run(Session& session) override
     {
         const Configuration present = co_await readController(session);
-        const TransferPlan plan = planFor(session, present, wanted());
+        const TransferPlan plan = planFor(session, present, wantedFor(session));
         if (m_isDryRun) {
             showPackets(session, plan);
         } else if (!plan.writes.empty()) {

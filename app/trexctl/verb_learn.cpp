@@ -4,6 +4,7 @@
 #include "app/trexctl/calibrationtext.h"
 #include "app/trexctl/terminal.h"
 #include "app/trexctl/verbs.h"
+#include "protocol/errortext.h"
 #include "protocol/procedures/calibrationfeed.h"
 #include "protocol/procedures/calibrationtext.h"
 
@@ -23,6 +24,7 @@ constexpr double kLongestSweepSeconds = 600.0;
 constexpr double kUsualSweepSeconds = 6.0;
 // How much longer than asked for a rest or a full sweep is waited before it is given up.
 constexpr auto kPatience = 20s;
+constexpr auto kReadBackPatience = 3s; // after a write that failed, to say what is held
 
 Instant clockNow()
 {
@@ -36,6 +38,7 @@ Duration toDuration(double seconds)
 
 class LearnVerb : public Verb {
 public:
+    [[nodiscard]] bool usesSettings() const override { return true; }
     void declare(CLI::App& app) override
     {
         const auto add = [&app](const char* name, const char* unit, QString& target,
@@ -70,8 +73,16 @@ public:
     {
         const Reply modeReply = co_await session.ask(query("get-mode"));
         const auto mode = parseMode(modeReply.payload);
-        if (!mode || !isSerial(*mode)) {
-            session.fail(mode ? Error{ErrorCode::NotInSerialMode, {}} : mode.error());
+        if (!mode) {
+            session.fail(mode.error());
+            co_return;
+        }
+        if (!isSerial(*mode)) {
+            // The same warning as the panel gives, in the failure's one line.
+            session.fail(Failure{exitcode::kRefused,
+                                 errorText(Error{ErrorCode::NotInSerialMode, {}}) + u' '
+                                     + Cli::tr("In this mode the sticks also move the motors: "
+                                               "keep the motors' power off.")});
             co_return;
         }
         startCalibration(session);
@@ -115,6 +126,10 @@ public:
             co_await session.sleepUntil(clockNow() + kLook);
         }
         if (!*m_result) {
+            const Instant readBackEnd = clockNow() + kReadBackPatience;
+            while (m_calibration->isReadingBack() && clockNow() < readBackEnd) {
+                co_await session.sleepUntil(clockNow() + kLook);
+            }
             session.fail(Failure{exitCodeOf(m_result->error().code), m_calibration->outcomeText()});
             co_return;
         }
@@ -185,6 +200,7 @@ private:
                          [this](const Result<void>& result) { m_result = result; });
         m_calibration->setChannels(m_mask);
         m_calibration->setStillTime(toDuration(m_neutralSeconds));
+        m_calibration->setOptionalSteps(false); // neutral, extremes, summary (contract)
         m_calibration->start();
     }
 

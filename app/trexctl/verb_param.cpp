@@ -60,6 +60,7 @@ Required<int> read(Session& session, const ParameterRow& row)
 
 class ParamListVerb : public Verb {
 public:
+    [[nodiscard]] bool usesSettings() const override { return true; }
     Task run(Session& session) override
     {
         // The mode shows which channel input source is in force.
@@ -87,6 +88,7 @@ public:
 
 class ParamGetVerb : public Verb {
 public:
+    [[nodiscard]] bool usesSettings() const override { return true; }
     void declare(CLI::App& app) override
     {
         app.add_option("KEY", m_keyText, Cli::tr("key or number").toStdString())

@@ -19,6 +19,7 @@ QString powerCycleText()
 
 class ParamSetVerb : public Verb {
 public:
+    [[nodiscard]] bool usesSettings() const override { return true; }
     void declare(CLI::App& app) override
     {
         app.add_option("KEY", m_keyText, Cli::tr("key or number").toStdString())
@@ -86,6 +87,7 @@ private:
 
 class ParamResetVerb : public Verb {
 public:
+    [[nodiscard]] bool usesSettings() const override { return true; }
     void declare(CLI::App& app) override
     {
         app.add_flag("--yes", m_isConfirmed, Cli::tr("do not ask").toStdString());

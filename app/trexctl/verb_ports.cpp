@@ -3,6 +3,7 @@
 #include "app/trexctl/controllertext.h"
 #include "app/trexctl/verbs.h"
 #include "protocol/procedures/scan.h"
+#include "protocol/storage/linesettingsstore.h"
 #include "protocol/transport/transportregistry.h"
 
 #include <CLI/CLI.hpp>
@@ -61,7 +62,12 @@ public:
     Task run(Session& session) override
     {
         const OpenOptions& options = session.options();
-        m_scan = std::make_unique<Scan>(ScanOptions{options.port, options.line, m_isAll});
+        ScanOptions how{options.port, options.line, m_isAll};
+        SettingsFile file;
+        if (const auto line = LineSettingsStore(file).lastGood(options.port)) {
+            how.remembered.push_back(*line);
+        }
+        m_scan = std::make_unique<Scan>(how);
         const Result<void> result = co_await session.attempt<void>(
             [this, &session](const Awaiting<void>::Handler& handler) {
                 QObject::connect(m_scan.get(), &Scan::finished, &session, handler);
@@ -96,12 +102,16 @@ private:
                          Cli::tr("Device"), Cli::tr("Controller"), Cli::tr("Echo")});
         for (const ScanHit& hit : m_scan->hits()) {
             const QString detection = latin(keyOf(hit.errorDetection));
-            array.append(QJsonObject{{u"baud"_s, hit.baud},
-                                     {u"errorDetection"_s, detection},
-                                     {u"stopBits"_s, hit.stopBits},
-                                     {u"device"_s, hit.device},
-                                     {u"signature"_s, hit.signature.text()},
-                                     {u"echo"_s, hit.echo}});
+            QJsonObject entry{{u"baud"_s, hit.baud},
+                              {u"errorDetection"_s, detection},
+                              {u"stopBits"_s, hit.stopBits},
+                              {u"device"_s, hit.device},
+                              {u"signature"_s, hit.signature.text()},
+                              {u"echo"_s, hit.echo}};
+            if (hit.errorDetection == ErrorDetection::Crc7) {
+                entry.insert(u"crcPolynomial"_s, hit.polynomial);
+            }
+            array.append(entry);
             table.add({QString::number(hit.baud), detection, QString::number(hit.stopBits),
                        QString::number(hit.device), hit.signature.text(), yesNo(hit.echo)});
         }

@@ -2,6 +2,7 @@
 // simulate
 #include "app/common/lineoptions.h"
 #include "app/common/numbers.h"
+#include "app/trexctl/replay.h"
 #include "app/trexctl/verbs.h"
 #include "protocol/sim/simserver.h"
 
@@ -152,6 +153,8 @@ constexpr auto kOptions = std::to_array<SimOptionRow>({
      [](SimulateVerb& v, const QString& t) { return v.options().applyFault(t); }},
     {"--scenario", "FILE", QT_TRANSLATE_NOOP("Cli", "channel signals and events (JSON)"), false,
      [](SimulateVerb& v, const QString& t) { return v.options().loadScenario(t); }},
+    {"--replay", "FILE", QT_TRANSLATE_NOOP("Cli", "a recording's channels and currents, from its beginning"), false,
+     [](SimulateVerb& v, const QString& t) { return replayRecording(t, v.options().scenario); }},
     {"--speed", "X", QT_TRANSLATE_NOOP("Cli", "virtual seconds a real second, default 1"), false,
      [](SimulateVerb& v, const QString& t) { return taken(positiveNumber("--speed", t, kLargestSpeed), [&](double x) { v.options().speed = x; }); }},
     {"--log", "FILE", QT_TRANSLATE_NOOP("Cli", "packets heard and motor outputs, as JSON Lines"), false,

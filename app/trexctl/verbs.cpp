@@ -20,6 +20,8 @@ constexpr auto kVerbs = std::to_array<VerbRow>({
     {"status", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "status byte and UART error byte; reading clears both in the controller"), makeStatus},
     {"channels", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "raw and remapped inputs, once or as a stream"), makeChannels},
     {"currents", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "motor currents, once or as a stream"), makeCurrents},
+    {"record", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "a crash-safe recording of currents, channels, status, settings"), makeRecord},
+    {"export", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "a recording to CSV"), makeExport},
     {"calibration get", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "calibrations of the input set in force"), makeCalibrationGet},
     {"calibration set", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "write one channel's calibration and read it back"), makeCalibrationSet},
     {"calibration learn", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "guided: rest, move to the extremes, confirm, write"), makeCalibrationLearn},
@@ -30,6 +32,12 @@ constexpr auto kVerbs = std::to_array<VerbRow>({
     {"config save", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "all parameters and calibrations in force to a JSON file"), makeConfigSave},
     {"config load", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "write what differs from a file; puts all back when one is refused"), makeConfigLoad},
     {"config diff", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "what differs between the controller and a file"), makeConfigDiff},
+    {"journal", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "every write that went to a controller on --port: old, new, result"), makeJournal},
+    {"journal revert", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "write back what the controller held before an entry"), makeJournalRevert},
+    {"checkpoint save", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "keep the whole configuration under a name"), makeCheckpointSave},
+    {"checkpoint list", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "what was kept from controllers on --port, by name or by itself"), makeCheckpointList},
+    {"checkpoint restore", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "write what differs from a checkpoint"), makeCheckpointRestore},
+    {"checkpoint delete", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "forget a checkpoint"), makeCheckpointDelete},
     {"motor", TREX_DRIVE, QT_TRANSLATE_NOOP("Cli", "set, accelerate or brake motor 1, 2, both or aux; it keeps running"), makeMotor},
     {"stop", TREX_DRIVE, QT_TRANSLATE_NOOP("Cli", "all three motors to speed 0 now, or 1 and 2 to full brake"), makeStop},
     {"raw", TREX_TOOLS, QT_TRANSLATE_NOOP("Cli", "send bytes as given, or framed as a packet"), makeRaw},
@@ -41,6 +49,8 @@ constexpr auto kFamilies = std::to_array<std::pair<std::string_view, const char*
     {"calibration", QT_TRANSLATE_NOOP("Cli", "channel calibrations: get, set, learn")},
     {"param", QT_TRANSLATE_NOOP("Cli", "configuration parameters: list, get, set, reset")},
     {"config", QT_TRANSLATE_NOOP("Cli", "whole configurations as files: save, load, diff")},
+    {"checkpoint",
+     QT_TRANSLATE_NOOP("Cli", "whole configurations by name: save, list, restore, delete")},
 });
 
 } // namespace

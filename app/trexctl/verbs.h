@@ -42,11 +42,21 @@ struct VerbRow {
 [[nodiscard]] std::unique_ptr<Verb> makeConfigSave();
 [[nodiscard]] std::unique_ptr<Verb> makeConfigLoad();
 [[nodiscard]] std::unique_ptr<Verb> makeConfigDiff();
+// verb_journal.cpp, verb_checkpoint.cpp
+[[nodiscard]] std::unique_ptr<Verb> makeJournal();
+[[nodiscard]] std::unique_ptr<Verb> makeJournalRevert();
+[[nodiscard]] std::unique_ptr<Verb> makeCheckpointSave();
+[[nodiscard]] std::unique_ptr<Verb> makeCheckpointList();
+[[nodiscard]] std::unique_ptr<Verb> makeCheckpointRestore();
+[[nodiscard]] std::unique_ptr<Verb> makeCheckpointDelete();
 // verb_motor.cpp
 [[nodiscard]] std::unique_ptr<Verb> makeMotor();
 [[nodiscard]] std::unique_ptr<Verb> makeStop();
 // verb_raw.cpp
 [[nodiscard]] std::unique_ptr<Verb> makeRaw();
+// verb_record.cpp, verb_export.cpp
+[[nodiscard]] std::unique_ptr<Verb> makeRecord();
+[[nodiscard]] std::unique_ptr<Verb> makeExport();
 // verb_simulate.cpp
 [[nodiscard]] std::unique_ptr<Verb> makeSimulate();
 

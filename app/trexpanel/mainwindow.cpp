@@ -113,9 +113,9 @@ void MainWindow::makeMenus(const QString& theme, const QString& language)
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->addActions(m_commandBar->actionsForMenu());
     file->addSeparator();
-    addEntry(*file, u"quit"_s, tr("&Quit"), u"quit"_s, [this] {
-        close();
-    })->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
+    addJournal(*file, m_context, *this);
+    auto* quit = addEntry(*file, u"quit"_s, tr("&Quit"), u"quit"_s, [this] { close(); });
+    quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
     for (const QDockWidget* dock : std::as_const(m_docks)) {

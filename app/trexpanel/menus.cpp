@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/trexpanel/menus.h"
 
+#include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
+#include "widgets/journal/journaldialog.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -33,6 +35,14 @@ QAction* addEntry(QMenu& menu, const QString& part, const QString& text, const Q
     action->setObjectName(u"action."_s + part);
     QObject::connect(action, &QAction::triggered, &menu, triggered);
     return action;
+}
+
+void addJournal(QMenu& menu, PanelContext& context, QWidget& window)
+{
+    if (context.audit != nullptr) {
+        addEntry(menu, u"journal"_s, JournalDialog::tr("&Journal…"), u"log"_s,
+                 [&context, &window] { JournalDialog::bringForward(context, &window); });
+    }
 }
 
 } // namespace trex

@@ -9,8 +9,11 @@
 
 class QAction;
 class QMenu;
+class QWidget;
 
 namespace trex {
+
+struct PanelContext;
 
 /// A menu of exclusive choices: each row is a key and the words for it. `chosen` gets the key.
 void addChoices(QMenu& menu, const QString& objectPrefix,
@@ -20,5 +23,8 @@ void addChoices(QMenu& menu, const QString& objectPrefix,
 /// An entry with a name that scripts find ("action." + part).
 QAction* addEntry(QMenu& menu, const QString& part, const QString& text, const QString& icon,
                   const std::function<void()>& triggered);
+
+/// The entry that opens the journal of the window, if writes are recorded.
+void addJournal(QMenu& menu, PanelContext& context, QWidget& window);
 
 } // namespace trex

@@ -7,6 +7,7 @@
 #include "app/script/scriptplayer.h"
 #include "app/trexpanel/mainwindow.h"
 #include "protocol/errortext.h"
+#include "protocol/storage/datafolder.h"
 #include "protocol/storage/linesettingsstore.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/portbox.h"
@@ -44,8 +45,10 @@ Program::Program(PanelOptions options)
     , m_settings(m_file)
     , m_controller(&m_store, &m_latch)
     , m_deviceSettings(m_controller)
-    , m_context{m_controller, m_deviceSettings, m_store,  m_latch,
-                m_log,        m_settings,       m_ticker, m_fileDialogs}
+    , m_journal(journalPath(m_file.path()))
+    , m_audit(m_controller, m_deviceSettings, m_journal, WriteAudit::WhenUnsaved::RefuseOnce)
+    , m_context{m_controller, m_deviceSettings, m_store,       m_latch, m_log,
+                m_settings,   m_ticker,         m_fileDialogs, &m_audit}
 {
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, this, &Program::finish);
@@ -58,6 +61,8 @@ Program::~Program() = default;
 void Program::logEvents()
 {
     connect(&m_controller, &Controller::eventLogged, &m_log, &EventLog::add);
+    connect(&m_audit, &WriteAudit::told, &m_log, &EventLog::add);
+    m_audit.resolveWhenConnected();
     if (const auto problem = m_file.problem()) {
         m_log.add(EventLog::Warning, errorText(*problem));
     }

@@ -3,6 +3,7 @@
 
 #include "app/trexpanel/languages.h"
 #include "app/trexpanel/paneloptions.h"
+#include "protocol/procedures/writeaudit.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/devicesettings.h"
 #include "protocol/telemetry/statuslatch.h"
@@ -57,6 +58,8 @@ private:
     StatusLatch m_latch;
     Controller m_controller;
     DeviceSettings m_deviceSettings;
+    Journal m_journal;
+    WriteAudit m_audit;
     EventLog m_log;
     FrameTicker m_ticker;
     FileDialogs m_fileDialogs;

@@ -67,6 +67,9 @@ QString uartText(int raw)
 
 QString numberText(const ParameterRow& row, int raw)
 {
+    if (raw == 0 && row.zeroText != nullptr) {
+        return QCoreApplication::translate("Parameters", row.zeroText);
+    }
     const QString number = QString::number(physicalFromRaw(row, raw), 'f', row.decimals);
     return row.unit.empty() ? number
                             : QStringLiteral("%1 %2").arg(number, QString::fromLatin1(row.unit));

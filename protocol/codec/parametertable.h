@@ -48,6 +48,8 @@ struct ParameterRow {
     double scale = 1.0; ///< physical = raw × scale
     int decimals = 0;
     std::span<const ParameterChoice> choices{};
+    /// What raw 0 reads where it is no quantity, QT_TRANSLATE_NOOP("Parameters", …); null: 0 units
+    const char* zeroText = nullptr;
     bool needsReset = false; ///< in force after a power cycle (0x7B to 0x7F)
     bool isTrigger = false; ///< written, never read or listed (0x7F)
     Grade meaningGrade = Grade::Documented;
@@ -98,7 +100,7 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
      .group = TREX_GROUP_MOTORS, .meaningGrade = Grade::Inferred, .source = "facts 2 (name observed, meaning inferred)"},
     {.number = 0x07, .key = "serial-timeout", .title = QT_TRANSLATE_NOOP("Parameters", "Serial timeout"),
      .help = QT_TRANSLATE_NOOP("Parameters", "Motors stop when the controller hears nothing for this long. 0 switches the protection off."),
-     .group = TREX_GROUP_GENERAL, .unit = "ms", .scale = 100.0, .meaningGrade = Grade::Observed, .source = "command documentation, 0x85; unit observed twice"},
+     .group = TREX_GROUP_GENERAL, .unit = "ms", .scale = 100.0, .zeroText = QT_TRANSLATE_NOOP("Parameters", "off"), .meaningGrade = Grade::Observed, .source = "command documentation, 0x85; unit observed twice"},
     {.number = 0x08, .key = "uart-error-shutdown", .title = QT_TRANSLATE_NOOP("Parameters", "Stop on UART error"),
      .help = QT_TRANSLATE_NOOP("Parameters", "Any serial error stops the motors; the controller keeps listening."),
      .group = TREX_GROUP_GENERAL, .editor = ParameterEditor::Toggle, .maximum = 1, .source = "serial protocols 5.b; encoding inferred"},
@@ -119,13 +121,13 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
      .group = TREX_GROUP_MOTORS, .defaultRaw = 127, .meaningGrade = Grade::Observed, .source = "facts 2 (name observed)"},
     {.number = 0x0E, .key = "motor1-acceleration", .title = QT_TRANSLATE_NOOP("Parameters", "Motor 1 acceleration"),
      .help = QT_TRANSLATE_NOOP("Parameters", "Speed steps gained every 100 ms by accelerate commands; 0 is unlimited."),
-     .group = TREX_GROUP_MOTORS, .source = "command documentation, 0xC4"},
+     .group = TREX_GROUP_MOTORS, .zeroText = QT_TRANSLATE_NOOP("Parameters", "unlimited"), .source = "command documentation, 0xC4"},
     {.number = 0x0F, .key = "motor2-acceleration", .title = QT_TRANSLATE_NOOP("Parameters", "Motor 2 acceleration"),
      .help = QT_TRANSLATE_NOOP("Parameters", "Speed steps gained every 100 ms by accelerate commands; 0 is unlimited."),
-     .group = TREX_GROUP_MOTORS, .source = "command documentation, 0xC4"},
+     .group = TREX_GROUP_MOTORS, .zeroText = QT_TRANSLATE_NOOP("Parameters", "unlimited"), .source = "command documentation, 0xC4"},
     {.number = 0x10, .key = "aux-acceleration", .title = QT_TRANSLATE_NOOP("Parameters", "Auxiliary motor acceleration"),
      .help = QT_TRANSLATE_NOOP("Parameters", "Speed steps gained every 100 ms by accelerate commands; 0 is unlimited."),
-     .group = TREX_GROUP_MOTORS, .source = "command documentation, 0xF1"},
+     .group = TREX_GROUP_MOTORS, .zeroText = QT_TRANSLATE_NOOP("Parameters", "unlimited"), .source = "command documentation, 0xF1"},
     {.number = 0x11, .key = "motor1-brake-duration", .title = QT_TRANSLATE_NOOP("Parameters", "Motor 1 brake duration"),
      .help = QT_TRANSLATE_NOOP("Parameters", "Full braking before an accelerate command reverses motor 1."),
      .group = TREX_GROUP_MOTORS, .unit = "ms", .scale = 10.0, .source = "command documentation, 0xC4; unit from forum 624"},
@@ -134,10 +136,10 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
      .group = TREX_GROUP_MOTORS, .unit = "ms", .scale = 10.0, .source = "command documentation, 0xC4; unit from forum 624"},
     {.number = 0x13, .key = "motor1-current-limit", .title = QT_TRANSLATE_NOOP("Parameters", "Motor 1 current limit"),
      .help = QT_TRANSLATE_NOOP("Parameters", "Motor 1 is slowed above this current; accelerate commands only. 0 is probably no limit."),
-     .group = TREX_GROUP_LIMITS, .unit = "A", .scale = 0.08, .decimals = 2, .source = "facts 2 (forum 13311); 0 = off inferred"},
+     .group = TREX_GROUP_LIMITS, .unit = "A", .scale = 0.08, .decimals = 2, .zeroText = QT_TRANSLATE_NOOP("Parameters", "no limit (unsure)"), .source = "facts 2 (forum 13311); 0 = off inferred"},
     {.number = 0x14, .key = "motor2-current-limit", .title = QT_TRANSLATE_NOOP("Parameters", "Motor 2 current limit"),
      .help = QT_TRANSLATE_NOOP("Parameters", "Motor 2 is slowed above this current; accelerate commands only. 0 is probably no limit."),
-     .group = TREX_GROUP_LIMITS, .unit = "A", .scale = 0.08, .decimals = 2, .source = "facts 2 (forum 13311); 0 = off inferred"},
+     .group = TREX_GROUP_LIMITS, .unit = "A", .scale = 0.08, .decimals = 2, .zeroText = QT_TRANSLATE_NOOP("Parameters", "no limit (unsure)"), .source = "facts 2 (forum 13311); 0 = off inferred"},
     {.number = 0x15, .key = "motor1-current-limit-p", .title = QT_TRANSLATE_NOOP("Parameters", "Motor 1 current limit gain"),
      .help = QT_TRANSLATE_NOOP("Parameters", "How hard the speed is cut back for each unit of excess current (proportionality constant P)."),
      .group = TREX_GROUP_LIMITS, .defaultRaw = 5, .meaningGrade = Grade::InferredWeak, .source = "facts 2.2 (name observed, law unpublished)"},

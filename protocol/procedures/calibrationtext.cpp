@@ -18,24 +18,34 @@ QString translated(const char* text)
 
 struct FindingRow {
     Finding finding;
-    /// %1 how far it moved at most, %2 how far it must, %3 noise, %4 missing in percent.
+    /// %1 how far it moved at most, %2 how far it must, %3 noise, %4 missing in percent, %5 by what
+    /// RC and analog seem mixed up, %6 spikes in percent, %7 farthest rest, %8 the other channel.
     const char* text;
 };
 
 // clang-format off
 constexpr auto kFindings = std::to_array<FindingRow>({
     {Finding::NoReadings, QT_TRANSLATE_NOOP("Calibration", "No valid reading came. Check the plug, the receiver and its power, or leave this channel out.")},
+    {Finding::InputConfused, QT_TRANSLATE_NOOP("Calibration", "RC and analog seem to be mixed up. %5")},
     {Finding::NotStill, QT_TRANSLATE_NOOP("Calibration", "It was never still. Let go of it; if it jitters by itself, look at its potentiometer or cable.")},
     {Finding::MissingPulses, QT_TRANSLATE_NOOP("Calibration", "%4 % of the pulses were missing. Check the receiver, its antenna and the plug.")},
+    {Finding::Jitter, QT_TRANSLATE_NOOP("Calibration", "%6 % of its readings jump far beyond its noise, as a failing potentiometer or a loose cable does. Repair that first.")},
     {Finding::NotMoved, QT_TRANSLATE_NOOP("Calibration", "It did not move. Move it to both ends, or leave this channel out.")},
     {Finding::TravelTooSmall, QT_TRANSLATE_NOOP("Calibration", "It moved %1 at most, and %2 to each side are needed. Move it further, or widen the travel in the transmitter.")},
     {Finding::OneDirection, QT_TRANSLATE_NOOP("Calibration", "It was moved one way only. Move it to both ends.")},
     {Finding::Noisy, QT_TRANSLATE_NOOP("Calibration", "It is too noisy (%3). Look at its potentiometer, cable or receiver.")},
+    {Finding::NotHeld, QT_TRANSLATE_NOOP("Calibration", "It was moved too fast to tell its ends. Hold it at each end for half a second.")},
+    {Finding::CentreLost, QT_TRANSLATE_NOOP("Calibration", "It comes to rest up to %7 away from its neutral, too far for a deadband to cover. Look at its spring and its mechanics.")},
+    {Finding::SwappedWith, QT_TRANSLATE_NOOP("Calibration", "Channel %8 moved when this one was asked for: they seem to be swapped. Exchange their plugs, or their axes in the transmitter.")},
+    {Finding::SwitchOnAtNeutral, QT_TRANSLATE_NOOP("Calibration", "It rests on its low side, where it is thought to be on (below half-way; a guess, the threshold is not published). Learn it with the switch in the other position, or reverse it in the transmitter.")},
     {Finding::RestsAtEnd, QT_TRANSLATE_NOOP("Calibration", "It rests at one end, as levers and switches do; the other end is set equally far away.")},
     {Finding::SomeMissing, QT_TRANSLATE_NOOP("Calibration", "%4 % of the pulses were missing.")},
     {Finding::SomeNoise, QT_TRANSLATE_NOOP("Calibration", "It is somewhat noisy (%3); the deadband is wider for it.")},
+    {Finding::SomeJitter, QT_TRANSLATE_NOOP("Calibration", "%6 % of its readings jump beyond its noise; they were left out. Its potentiometer or cable may be wearing out.")},
+    {Finding::SloppyCentre, QT_TRANSLATE_NOOP("Calibration", "It comes to rest up to %7 away from its neutral; the deadband covers that.")},
+    {Finding::CoarseTravel, QT_TRANSLATE_NOOP("Calibration", "Its travel has fewer counts than the 127 steps to each side, so that some speeds cannot be chosen.")},
     {Finding::Asymmetric, QT_TRANSLATE_NOOP("Calibration", "One side moves much less than the other, so that its control is coarser.")},
-    {Finding::Saturated, QT_TRANSLATE_NOOP("Calibration", "An end lies at the limit of what can be read; part of the travel may be cut off.")},
+    {Finding::Saturated, QT_TRANSLATE_NOOP("Calibration", "An end lies at the limit of what can be read; part of the travel may be cut off. Shorten the travel in the transmitter.")},
 });
 // clang-format on
 
@@ -47,6 +57,33 @@ static_assert([] {
     }
     return kFindings.size() == static_cast<std::size_t>(Finding::Saturated) + 1;
 }());
+
+QString confusionText(Confusion confusion, InputKind input)
+{
+    switch (confusion) {
+    case Confusion::OtherKindsReadings:
+        return input == InputKind::Rc
+            ? translated(QT_TRANSLATE_NOOP("Calibration",
+                                           "It was to be read as RC pulses, but most readings are "
+                                           "such as only a voltage gives."))
+            : translated(QT_TRANSLATE_NOOP("Calibration",
+                                           "It was to be read as a voltage, but most readings are "
+                                           "such as only RC pulses give."));
+    case Confusion::PulsesOnAnalog:
+        return translated(QT_TRANSLATE_NOOP("Calibration",
+                                            "At rest it reads 0 V most of the time, with short "
+                                            "bursts, as an RC receiver on an analog input would "
+                                            "(a guess)."));
+    case Confusion::Floating:
+        return translated(QT_TRANSLATE_NOOP("Calibration",
+                                            "It wandered for seconds without ever resting, as an "
+                                            "analog input with nothing, or an RC receiver, on it "
+                                            "would (a guess)."));
+    case Confusion::None:
+        break;
+    }
+    return {};
+}
 
 } // namespace
 
@@ -88,14 +125,64 @@ QString findingText(Finding finding, const LearnedChannel& learned, InputKind in
     text.replace("%2"_L1, spanText(calibrationRules(input).neededTravel, input));
     text.replace("%3"_L1, u"σ "_s + spanText(learned.sigma, input));
     text.replace("%4"_L1, QString::number(learned.missedShare() * 100.0, 'f', 0));
+    text.replace("%5"_L1, confusionText(learned.confusion, input));
+    text.replace("%6"_L1, QString::number(learned.spikeShare() * 100.0, 'f', 1));
+    text.replace("%7"_L1, spanText(learned.farthestRest, input));
+    text.replace("%8"_L1, QString::number(learned.swappedWith));
     return text;
 }
 
 QString reasonText(const LearnedChannel& learned, InputKind input)
 {
-    return learned.findings.empty()
-        ? translated(QT_TRANSLATE_NOOP("Calibration", "Quiet at rest, full travel both ways."))
-        : findingText(learned.findings.front(), learned, input);
+    if (!learned.findings.empty()) {
+        return findingText(learned.findings.front(), learned, input);
+    }
+    return learned.returns > 0
+        ? translated(QT_TRANSLATE_NOOP(
+            "Calibration", "Quiet at rest, full travel both ways, comes back to its neutral."))
+        : translated(QT_TRANSLATE_NOOP("Calibration", "Quiet at rest, full travel both ways."));
+}
+
+QString deadbandText(const LearnedChannel& learned, InputKind input)
+{
+    const auto deadband = spanText(learned.calibration.deadband, input);
+    switch (learned.deadbandBasis) {
+    case DeadbandBasis::Noise:
+        return translated(QT_TRANSLATE_NOOP("Calibration", "Deadband: ±%1 (%2 σ of its noise)"))
+            .arg(deadband)
+            .arg(kDeadbandSigmas, 0, 'f', 0);
+    case DeadbandBasis::Rests:
+        return translated(QT_TRANSLATE_NOOP(
+                              "Calibration",
+                              "Deadband: ±%1 (%2 × its farthest rest and %3 σ of its noise)"))
+            .arg(deadband)
+            .arg(kDeadbandRests)
+            .arg(kDeadbandRestSigmas, 0, 'f', 0);
+    case DeadbandBasis::Floor:
+        break;
+    }
+    return translated(QT_TRANSLATE_NOOP("Calibration",
+                                        "Deadband: ±%1 (the least; %2 σ of its noise are ±%3)"))
+        .arg(deadband)
+        .arg(kDeadbandSigmas, 0, 'f', 0)
+        .arg(spanText(kDeadbandSigmas * learned.sigma, input));
+}
+
+QString centringText(const LearnedChannel& learned, InputKind input)
+{
+    if (learned.returns == 0) {
+        return translated(QT_TRANSLATE_NOOP("Calibration", "Centring: not tried"));
+    }
+    const auto rests =
+        translated(QT_TRANSLATE_NOOP("Calibration",
+                                     "Centring: %1 returns, rests within %2, up to "
+                                     "%3 off neutral"))
+            .arg(learned.returns)
+            .arg(spanText(learned.repeatability, input), spanText(learned.farthestRest, input));
+    return learned.hysteresis
+        ? translated(QT_TRANSLATE_NOOP("Calibration", "%1; from above and below %2 apart"))
+              .arg(rests, spanText(std::abs(*learned.hysteresis), input))
+        : rests;
 }
 
 QString figuresText(const LearnedChannel& learned, InputKind input)
@@ -105,20 +192,29 @@ QString figuresText(const LearnedChannel& learned, InputKind input)
                  .arg(learned.samples)
                  .arg(learned.missed)
                  .arg(learned.missedShare() * 100.0, 0, 'f', 1);
-    lines << translated(QT_TRANSLATE_NOOP("Calibration", "Noise at rest: σ %1"))
-                 .arg(spanText(learned.sigma, input));
+    const double travel = learned.lowTravel() + learned.highTravel();
+    lines << translated(QT_TRANSLATE_NOOP("Calibration",
+                                          "Noise at rest: σ %1 (%2 % of the travel); jumps: %3"))
+                 .arg(spanText(learned.sigma, input))
+                 .arg(travel > 0.0 ? learned.sigma / travel * 100.0 : 0.0, 0, 'f', 2)
+                 .arg(learned.spikes);
     lines << translated(QT_TRANSLATE_NOOP("Calibration", "Travel: %1 down, %2 up; symmetry %3 %"))
                  .arg(spanText(learned.lowTravel(), input), spanText(learned.highTravel(), input))
                  .arg(learned.symmetry() * 100.0, 0, 'f', 0);
-    if (learned.verdict != Verdict::DoAgain) {
-        lines << translated(QT_TRANSLATE_NOOP("Calibration", "Deadband: ±%1 (%2 σ, at least %3)"))
-                     .arg(spanText(learned.calibration.deadband, input))
-                     .arg(kDeadbandSigmas, 0, 'f', 0)
-                     .arg(spanText(calibrationRules(input).deadbandFloor, input));
-        lines << translated(QT_TRANSLATE_NOOP(
-                                "Calibration",
-                                "Ends pulled in by %1 and %2, so that the full stick gives 127"))
-                     .arg(spanText(learned.lowMargin, input), spanText(learned.highMargin, input));
+    lines << centringText(learned, input);
+    if (learned.verdict == Verdict::DoAgain) {
+        return lines.join(u'\n');
+    }
+    lines << deadbandText(learned, input);
+    lines << translated(QT_TRANSLATE_NOOP("Calibration",
+                                          "Ends pulled in by %1 and %2, so that the full stick "
+                                          "gives 127"))
+                 .arg(spanText(learned.lowMargin, input), spanText(learned.highMargin, input));
+    if (learned.switchThreshold) {
+        lines << translated(QT_TRANSLATE_NOOP("Calibration",
+                                              "Switches on at and below about %1 (a guess: the "
+                                              "threshold is not published)"))
+                     .arg(readingText(*learned.switchThreshold, input));
     }
     return lines.join(u'\n');
 }

@@ -18,7 +18,12 @@ namespace trex {
 [[nodiscard]] QString findingText(Finding finding, const LearnedChannel& learned, InputKind input);
 /// The first finding as a sentence; "good" has one of its own.
 [[nodiscard]] QString reasonText(const LearnedChannel& learned, InputKind input);
-/// Samples, noise, travel, symmetry, missed pulses, deadband and margins, one a line.
+/// How well it comes back to its neutral, or that this was not tried.
+[[nodiscard]] QString centringText(const LearnedChannel& learned, InputKind input);
+/// The deadband and which of its terms decided it, with its factor.
+[[nodiscard]] QString deadbandText(const LearnedChannel& learned, InputKind input);
+/// Samples, missed pulses, noise, travel, symmetry, centring, deadband, margins and a switch's
+/// threshold, one a line.
 [[nodiscard]] QString figuresText(const LearnedChannel& learned, InputKind input);
 /// "1, 2 and 5" of a mask (bit n is channel n + 1).
 [[nodiscard]] QString channelListText(std::uint8_t mask);

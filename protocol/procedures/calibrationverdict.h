@@ -2,9 +2,7 @@
 // What the learner found for a channel, in figures, and what it thinks of it. Pure.
 #pragma once
 
-#include "protocol/codec/command.h"
-
-#include <vector>
+#include "protocol/procedures/learnedchannel.h"
 
 namespace trex {
 
@@ -20,52 +18,21 @@ struct CalibrationRules {
 };
 [[nodiscard]] const CalibrationRules& calibrationRules(InputKind input);
 
-inline constexpr double kDeadbandSigmas = 4.0; ///< deadband = this many σ, at least the floor
+inline constexpr double kDeadbandSigmas = 4.0; ///< deadband = this many σ, at least the floor,
+inline constexpr double kDeadbandRests = 1.25; ///< and this many times the farthest rest
+inline constexpr double kDeadbandRestSigmas = 3.0; ///< with this many σ around that rest
 inline constexpr double kGoodNoiseShare = 0.004; ///< σ / travel up to which noise is good
-inline constexpr double kMostNoiseShare = 0.0125; ///< σ / travel above which it is to be done again
+inline constexpr double kMostNoiseShare = 0.009; ///< σ / travel above which it is to be done again
+inline constexpr double kHideNoiseShare =
+    0.0055; ///< above which noise hides whether an end was held
+inline constexpr double kEndMarginShare = 0.005; ///< of a side, by which its end is pulled in
 inline constexpr double kGoodMissedShare = 0.02;
 inline constexpr double kMostMissedShare = 0.20;
+inline constexpr double kGoodSpikeShare = 0.005;
+inline constexpr double kMostSpikeShare = 0.04;
 inline constexpr double kGoodSymmetry = 0.5; ///< smaller / larger side
-
-enum class Verdict : std::uint8_t { Good, Usable, DoAgain };
-
-/// Why a verdict is not "good". The order is that of telling: the first found is the reason.
-enum class Finding : std::uint8_t {
-    NoReadings, ///< no valid reading at all
-    NotStill, ///< no still window for the neutral
-    MissingPulses, ///< more than kMostMissedShare of the readings invalid
-    NotMoved,
-    TravelTooSmall, ///< moved both ways, but not far enough
-    OneDirection, ///< a drive channel that was moved one way only
-    Noisy, ///< σ above kMostNoiseShare of the travel
-    // from here on the channel is usable
-    RestsAtEnd, ///< channels 3 to 5: moves one way only, as levers and switches do
-    SomeMissing,
-    SomeNoise,
-    Asymmetric,
-    Saturated, ///< an end lies at the limit of what can be read
-};
-
-/// One channel as learned; values in raw units.
-struct LearnedChannel {
-    Verdict verdict = Verdict::DoAgain;
-    std::vector<Finding> findings; ///< empty: good
-    Calibration calibration; ///< to be written; meaningless when the verdict is DoAgain
-    int samples = 0; ///< valid ones, of the neutral window and of the sweep
-    int missed = 0; ///< invalid ones
-    double neutral = 0.0;
-    double sigma = 0.0; ///< noise at neutral
-    double lowEnd = 0.0; ///< reached and sustained, before the margin
-    double highEnd = 0.0;
-    int lowMargin = 0; ///< pulled in by, so that the full stick gives 127
-    int highMargin = 0;
-
-    [[nodiscard]] double lowTravel() const { return neutral - lowEnd; }
-    [[nodiscard]] double highTravel() const { return highEnd - neutral; }
-    [[nodiscard]] double symmetry() const; ///< smaller / larger side, 0 to 1
-    [[nodiscard]] double missedShare() const; ///< 0 to 1
-    [[nodiscard]] bool has(Finding finding) const;
-};
+inline constexpr double kGoodRestShare = 0.02; ///< farthest rest / travel
+inline constexpr double kPlainForeignShare = 0.5; ///< readings that only the other kind can give
 
 /// What was measured, before it is judged.
 struct ChannelMeasurement {
@@ -77,6 +44,19 @@ struct ChannelMeasurement {
     double sigma = 0.0;
     double lowEnd = 0.0; ///< neutral when nothing was reached
     double highEnd = 0.0;
+    EndWindow lowWindow{}; ///< what the ends were learned from
+    EndWindow highWindow{};
+    bool isLowHeld = true; ///< the stick did not pass beyond the end without resting there
+    bool isHighHeld = true;
+    int returns = 0;
+    double repeatability = 0.0;
+    double farthestRest = 0.0; ///< from the neutral
+    std::optional<double> hysteresis{};
+    int checked = 0; ///< samples looked at for spikes
+    int spikes = 0;
+    Confusion confusion = Confusion::None;
+    int swappedWith = 0;
+    int forwardSign = 0;
 };
 [[nodiscard]] LearnedChannel judge(const ChannelMeasurement& measurement, InputKind input);
 

@@ -1,64 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps. What is said about them: channelcalibrationtext.cpp.
+// What is known, how it is written, and how it ends. The steps: channelcalibrationsteps.cpp; what
+// is said: channelcalibrationtext.cpp.
 #include "protocol/procedures/channelcalibration.h"
 
 #include "protocol/errortext.h"
 
 #include <utility>
 
-using namespace std::chrono_literals;
-
 namespace trex {
 namespace {
 
-constexpr auto kWatchInterval = 250ms;
-constexpr qint64 kStarvedMs = 1000;
+constexpr const ParameterRow& kReversed = parameterRow("reversed-channels");
+constexpr const ParameterRow& kParabolic = parameterRow("parabolic-channels");
 
 constexpr std::uint8_t bitOf(int channel)
 {
     return static_cast<std::uint8_t>(1U << (channel - 1));
 }
 
+std::uint8_t withBit(std::uint8_t mask, int channel, bool isSet)
+{
+    return static_cast<std::uint8_t>(isSet ? mask | bitOf(channel) : mask & ~bitOf(channel));
+}
+
 } // namespace
 
 ChannelCalibration::ChannelCalibration(Controller& controller, DeviceSettings& settings,
                                        QObject* parent)
-    : Procedure(parent), m_controller(controller), m_settings(settings), m_watch(this)
+    : Procedure(parent)
+    , m_controller(controller)
+    , m_settings(settings)
+    , m_writer(controller, settings)
 {
-    m_watch.setInterval(kWatchInterval);
-    connect(&m_watch, &QTimer::timeout, this, &ChannelCalibration::updated);
+    connect(&m_watch, &InterruptionWatch::ticked, this, &ChannelCalibration::updated);
+    connect(&m_watch, &InterruptionWatch::interrupted, this, &ChannelCalibration::interrupt);
+    connect(&m_writer, &CalibrationWriter::changed, this, &ChannelCalibration::updated);
+    connect(&m_writer, &CalibrationWriter::written, this, &ChannelCalibration::onWritten);
+    connect(&m_writer, &CalibrationWriter::checked, this, &ChannelCalibration::onChecked);
+    connect(&m_writer, &CalibrationWriter::undone, this, &ChannelCalibration::onUndone);
+    connect(&m_writer, &CalibrationWriter::itemBegun, this, [this](int item) {
+        emit progressed(item, CalibrationWriter::kDirections,
+                        item == CalibrationWriter::kDirections
+                            ? tr("Writing the directions")
+                            : tr("Writing channel %1").arg(item));
+    });
     connect(&controller, &Controller::stateChanged, this, &ChannelCalibration::onState);
     connect(&controller, &Controller::deviceChanged, this, &ChannelCalibration::onDevice);
     connect(&controller, &Controller::restarted, this, [this] {
+        m_isMotorPowerOff = false;
         if (isRunning()) {
-            const Error error{ErrorCode::LineLost, {}};
-            stop(error, tr("The controller was switched off and on."));
+            stop({ErrorCode::LineLost, {}}, tr("The controller was switched off and on."));
         }
+        checkWhenThere();
     });
     connect(&controller, &Controller::armedChanged, this, [this](bool armed) {
-        if (armed && m_step == Step::Writing) {
-            m_isCancelAsked = true;
-        } else if (armed && isRunning()) {
-            stop({ErrorCode::Cancelled, {}},
-                 tr("The motors were armed, which ends a calibration."));
+        if (armed && isRunning()) {
+            interrupt(tr("The motors were armed, which ends a calibration."));
         }
     });
 }
 
+// ---- what is known
+
 bool ChannelCalibration::isCollecting() const
 {
-    return m_step == Step::Neutral || m_step == Step::Extremes;
+    return m_step >= Step::Neutral && m_step <= Step::Verify;
 }
 
 bool ChannelCalibration::isStarved() const
 {
-    return isCollecting() && m_sinceSample.isValid() && m_sinceSample.hasExpired(kStarvedMs);
+    return isCollecting() && m_watch.isStarved();
 }
 
 bool ChannelCalibration::canWrite() const
 {
     const auto& mode = m_controller.device().mode;
     return mode && isSerial(*mode);
+}
+
+bool ChannelCalibration::doSticksDrive() const
+{
+    const auto& mode = m_controller.device().mode;
+    return mode && !isSerial(*mode);
 }
 
 InputKind ChannelCalibration::input() const
@@ -77,23 +100,66 @@ const CalibrationLearner* ChannelCalibration::learner() const
 
 std::optional<Calibration> ChannelCalibration::before(int channel) const
 {
-    return m_learner ? at(channel).before : m_settings.calibration(input(), channel);
+    return m_learner ? m_writer.before(channel) : m_settings.calibration(input(), channel);
 }
 
 const LearnedChannel* ChannelCalibration::learned(int channel) const
 {
-    const auto& learned = at(channel).learned;
+    const auto& learned = m_learned.at(static_cast<std::size_t>(channel - 1));
     return learned ? &*learned : nullptr;
 }
 
-ChannelCalibration::WriteState ChannelCalibration::writeState(int channel) const
+std::optional<Calibration> ChannelCalibration::planned(int channel) const
 {
-    return at(channel).state;
+    const LearnedChannel* learned = this->learned(channel);
+    if (learned == nullptr || learned->verdict == Verdict::DoAgain) {
+        return std::nullopt;
+    }
+    return m_writer.isEightBit() ? nearestForEightBit(learned->calibration) : learned->calibration;
+}
+
+bool ChannelCalibration::isNearest(int channel) const
+{
+    const auto planned = this->planned(channel);
+    return planned && *planned != learned(channel)->calibration;
 }
 
 std::optional<Calibration> ChannelCalibration::readBack(int channel) const
 {
-    return at(channel).readBack;
+    return m_writer.readBack(channel);
+}
+
+std::optional<DirectionResult> ChannelCalibration::direction(int channel) const
+{
+    return m_directions.at(static_cast<std::size_t>(channel - 1));
+}
+
+bool ChannelCalibration::wasReversed(int channel) const
+{
+    return isIn(m_writer.reversedBefore().value_or(0), channel);
+}
+
+std::optional<ResponseCurve> ChannelCalibration::curveBefore(int channel) const
+{
+    const auto held = before(channel);
+    if (m_learner && held) {
+        return ResponseCurve{*held, wasReversed(channel), isIn(m_parabolic, channel)};
+    }
+    const auto reversed = m_settings.parameter(kReversed.number);
+    const auto parabolic = m_settings.parameter(kParabolic.number);
+    if (!held || !reversed || !parabolic) {
+        return std::nullopt; // none is drawn that may be wrong
+    }
+    return ResponseCurve{*held, isIn(*reversed, channel), isIn(*parabolic, channel)};
+}
+
+std::optional<ResponseCurve> ChannelCalibration::curveAfter(int channel) const
+{
+    const auto held = m_writer.readBack(channel);
+    const auto now = held ? held : planned(channel);
+    return m_learner && now
+        ? std::optional(ResponseCurve{*now, isReversed(channel), isIn(m_parabolic, channel)})
+        : std::nullopt;
 }
 
 std::uint8_t ChannelCalibration::acceptable() const
@@ -108,6 +174,14 @@ std::uint8_t ChannelCalibration::acceptable() const
     return mask;
 }
 
+std::uint8_t ChannelCalibration::changedDirections() const
+{
+    const std::uint8_t before = m_writer.reversedBefore().value_or(m_reversed);
+    return static_cast<std::uint8_t>((before ^ m_reversed) & m_channels);
+}
+
+// ---- what the person chooses
+
 void ChannelCalibration::setChannels(std::uint8_t mask)
 {
     if (m_step == Step::Choose && !m_isPreparing) {
@@ -118,156 +192,18 @@ void ChannelCalibration::setChannels(std::uint8_t mask)
     emit updated();
 }
 
-void ChannelCalibration::setStep(Step step)
+void ChannelCalibration::setMotorPowerOff(bool off)
 {
-    m_step = step;
-    if (isCollecting()) {
-        m_sinceSample.start();
-        m_watch.start();
-    } else {
-        m_watch.stop();
-    }
-    emit stepChanged();
+    m_isMotorPowerOff = off;
     emit updated();
 }
 
-// ---- choose → neutral → extremes → review
-
-void ChannelCalibration::start()
+void ChannelCalibration::setReversed(int channel, bool reversed)
 {
-    if (m_step != Step::Choose || m_isPreparing || !canContinue()) {
-        return;
-    }
-    setRunning();
-    const int run = ++m_run;
-    m_isPreparing = true;
-    m_isCancelAsked = false;
-    m_outcome.clear();
-    m_data = {};
-    m_chosenBefore = m_channels;
-    if (m_controller.isArmed()) {
-        m_controller.disarm();
-    }
-    emit updated();
-    m_controller.request(query("get-mode"), this, [this, run](const Result<Reply>& reply) {
-        if (run != m_run) {
-            return;
-        }
-        const auto mode = reply ? parseMode(reply->payload) : tl::make_unexpected(reply.error());
-        if (!mode) {
-            stop(mode.error(), errorText(mode.error()));
-            return;
-        }
-        m_learner.emplace(inputOf(*mode), m_channels, m_stillTime);
-        readBefore(1, run);
-    });
-}
-
-void ChannelCalibration::readBefore(int channel, int run)
-{
-    if (channel > kChannelCount) {
-        m_isPreparing = false;
-        beginNeutral();
-        return;
-    }
-    m_settings.readCalibration(channel, this,
-                               [this, channel, run](const Result<Calibration>& before) {
-                                   if (run != m_run) {
-                                       return;
-                                   }
-                                   if (!before) {
-                                       stop(before.error(), errorText(before.error()));
-                                       return;
-                                   }
-                                   at(channel).before = *before;
-                                   readBefore(channel + 1, run);
-                               });
-}
-
-void ChannelCalibration::beginNeutral()
-{
-    m_learner->beginNeutral();
-    setStep(Step::Neutral);
-}
-
-void ChannelCalibration::feed(const PollSample& sample)
-{
-    if (!isCollecting() || sample.poll != PollId::RawChannels) {
-        return;
-    }
-    m_sinceSample.start();
-    m_learner->feed(sample);
-    emit updated();
-}
-
-void ChannelCalibration::review()
-{
-    for (int channel = 1; channel <= kChannelCount; ++channel) {
-        at(channel).learned =
-            isChosen(channel) ? std::optional(m_learner->result(channel)) : std::nullopt;
-    }
-    m_channels = m_channels & acceptable();
-    setStep(Step::Review);
-}
-
-void ChannelCalibration::finishExtremes()
-{
-    if (m_step == Step::Extremes) {
-        review();
-    }
-}
-
-void ChannelCalibration::next()
-{
-    if (!canContinue()) {
-        return;
-    }
-    switch (m_step) {
-    case Step::Choose:
-        start();
-        break;
-    case Step::Neutral:
-        m_learner->beginExtremes();
-        setStep(Step::Extremes);
-        break;
-    case Step::Extremes:
-        review();
-        break;
-    case Step::Review:
-        write();
-        break;
-    case Step::Writing:
-        break;
-    case Step::Done:
-    case Step::Stopped:
-        m_learner.reset();
-        m_data = {};
-        m_channels = m_chosenBefore;
-        m_outcome.clear();
-        setStep(Step::Choose);
-        break;
-    }
-}
-
-void ChannelCalibration::back()
-{
-    switch (m_step) {
-    case Step::Neutral:
-        cancel();
-        break;
-    case Step::Extremes:
-        beginNeutral();
-        break;
-    case Step::Review:
-        m_channels = m_learner->mask();
-        for (Channel& channel : m_data) {
-            channel.learned.reset();
-        }
-        m_learner->beginExtremes(); // from the same neutral
-        setStep(Step::Extremes);
-        break;
-    default:
-        break;
+    const bool isOpen = m_step == Step::Direction || m_step == Step::Review;
+    if (isOpen && hasDirection(channel)) {
+        m_reversed = withBit(m_reversed, channel, reversed);
+        emit updated();
     }
 }
 
@@ -275,56 +211,81 @@ void ChannelCalibration::back()
 
 void ChannelCalibration::write()
 {
-    m_isCancelAsked = false;
+    CalibrationPlan plan;
+    plan.input = input();
+    for (int channel = 1; channel <= kChannelCount; ++channel) {
+        if (isChosen(channel)) {
+            plan.calibrations.at(static_cast<std::size_t>(channel - 1)) = planned(channel);
+        }
+    }
+    plan.reversedMask = changedDirections();
+    plan.reversed = m_reversed;
+    m_stopReason.clear();
     setStep(Step::Writing);
-    writeNext(1, m_run);
+    m_writer.write(plan);
 }
 
-void ChannelCalibration::writeNext(int channel, int run)
+void ChannelCalibration::onWritten(const Result<void>& result)
 {
-    while (channel <= kChannelCount && !isChosen(channel)) {
-        ++channel;
-    }
-    if (channel > kChannelCount) {
-        m_outcome = writtenText({});
+    if (result) {
+        m_outcome = m_writer.writtenText();
         end(Step::Done, {});
-        return;
+    } else if (result.error().code == ErrorCode::Cancelled && m_writer.isStopping()) {
+        stop(result.error(), m_stopReason.isEmpty() ? tr("Cancelled on request.") : m_stopReason);
+    } else if (result.error().code == ErrorCode::Cancelled) { // by closing the line
+        stop({ErrorCode::LineLost, {}}, tr("The connection to the controller was lost."));
+    } else {
+        stop(result.error(), errorText(result.error()));
     }
-    if (m_isCancelAsked) {
-        stop({ErrorCode::Cancelled, {}}, tr("Cancelled on request."));
-        return;
-    }
-    if (at(channel).before == at(channel).learned->calibration) {
-        at(channel).state = WriteState::Unchanged;
-        at(channel).readBack = at(channel).before;
-        writeNext(channel + 1, run);
-        return;
-    }
-    at(channel).state = WriteState::Writing;
-    emit progressed(channel, kChannelCount, tr("Writing channel %1").arg(channel));
-    emit updated();
-    m_settings.writeCalibration(
-        channel, at(channel).learned->calibration, this,
-        [this, channel, run](const Result<DeviceSettings::CalibrationWrite>& result) {
-            onWritten(channel, run, result);
-        });
 }
 
-void ChannelCalibration::onWritten(int channel, int run,
-                                   const Result<DeviceSettings::CalibrationWrite>& result)
+bool ChannelCalibration::isReadingBack() const
 {
-    if (run != m_run || m_step != Step::Writing) {
-        return;
+    return !isRunning() && !m_isUndoing && m_writer.isBusy();
+}
+
+bool ChannelCalibration::canUndo() const
+{
+    const bool isOver = m_step == Step::Done || m_step == Step::Stopped;
+    return isOver && m_writer.canUndo() && m_writer.canReach();
+}
+
+void ChannelCalibration::undo()
+{
+    if (canUndo()) {
+        m_isUndoing = true;
+        m_writer.undo();
+        emit updated();
     }
-    if (!result) {
-        at(channel).state = WriteState::Failed;
-        stop(result.error(), errorText(result.error()));
-        return;
-    }
-    at(channel).readBack = result->readBack;
-    at(channel).state = result->verified ? WriteState::Written : WriteState::NearestWritten;
+}
+
+void ChannelCalibration::onUndone(const Result<void>& result)
+{
+    m_isUndoing = false;
+    m_stopReason = result ? QString() : errorText(result.error());
+    m_outcome = result ? m_writer.undoneText() : m_stopReason + u' ' + m_writer.writtenText();
     emit updated();
-    writeNext(channel + 1, run);
+    emit noted(m_outcome);
+    checkWhenThere();
+}
+
+void ChannelCalibration::checkWhenThere()
+{
+    if (!isRunning() && m_writer.needsCheck() && m_writer.canReach()) {
+        m_writer.check();
+        emit updated();
+    }
+}
+
+void ChannelCalibration::onChecked()
+{
+    if (m_writer.needsCheck()) {
+        return; // lost again: once more when the controller is there
+    }
+    m_outcome =
+        m_stopReason.isEmpty() ? m_writer.heldText() : m_stopReason + u' ' + m_writer.heldText();
+    emit updated();
+    emit noted(m_writer.heldText());
 }
 
 // ---- ends
@@ -332,33 +293,51 @@ void ChannelCalibration::onWritten(int channel, int run,
 void ChannelCalibration::cancel()
 {
     if (m_step == Step::Writing) {
-        m_isCancelAsked = true; // a packet on its way cannot be called back
+        m_writer.stopAfterPresent(); // a packet on its way cannot be called back
         emit updated();
         return;
     }
     if (!isRunning()) {
         return;
     }
+    forget();
+    m_outcome = tr("Cancelled: nothing was changed.");
+    end(Step::Choose, fail(ErrorCode::Cancelled));
+}
+
+void ChannelCalibration::interrupt(const QString& sentence)
+{
+    if (m_step == Step::Writing) {
+        m_stopReason = sentence;
+        m_writer.stopAfterPresent();
+        emit updated();
+    } else if (isRunning()) {
+        stop({ErrorCode::Cancelled, {}}, sentence);
+    }
+}
+
+void ChannelCalibration::forget()
+{
     ++m_run;
     m_isPreparing = false;
     m_learner.reset();
-    m_data = {};
+    m_learned = {};
+    m_directions = {};
+    m_writer.reset();
     m_channels = m_chosenBefore;
-    m_outcome = tr("Cancelled: nothing was changed.");
-    end(Step::Choose, fail(ErrorCode::Cancelled));
+    m_outcome.clear();
+    m_stopReason.clear();
 }
 
 void ChannelCalibration::stop(const Error& error, const QString& sentence)
 {
     ++m_run;
     m_isPreparing = false;
-    for (Channel& channel : m_data) {
-        if (channel.state == WriteState::Writing) {
-            channel.state = WriteState::Failed;
-        }
-    }
-    m_outcome = sentence + u' ' + writtenText(error);
+    m_writer.interrupt();
+    m_stopReason = sentence;
+    m_outcome = sentence + u' ' + m_writer.writtenText();
     end(Step::Stopped, tl::make_unexpected(error));
+    checkWhenThere();
 }
 
 void ChannelCalibration::end(Step step, const Result<void>& result)
@@ -370,12 +349,23 @@ void ChannelCalibration::end(Step step, const Result<void>& result)
 
 void ChannelCalibration::onState(LinkState state)
 {
+    if (state != LinkState::Connected) {
+        m_isMotorPowerOff = false;
+    }
     if (isRunning() && state != LinkState::Connected) {
         const Error error = m_controller.lastError().value_or(Error{ErrorCode::LineLost, {}});
         stop({ErrorCode::LineLost, error.context},
              tr("The connection to the controller was lost."));
+    } else if (m_isUndoing && state != LinkState::Connected) {
+        m_isUndoing = false;
+        m_writer.interrupt();
+        m_stopReason =
+            tr("The connection to the controller was lost while the former values were put back.");
+        m_outcome = m_stopReason + u' ' + m_writer.writtenText();
+        setStep(Step::Stopped);
     } else {
         emit updated();
+        checkWhenThere();
     }
 }
 
@@ -387,6 +377,7 @@ void ChannelCalibration::onDevice()
              tr("The controller changed between RC and analog inputs, whose calibrations differ."));
     } else {
         emit updated();
+        checkWhenThere();
     }
 }
 

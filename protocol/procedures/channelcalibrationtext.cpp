@@ -3,14 +3,20 @@
 #include "protocol/procedures/channelcalibration.h"
 
 namespace trex {
-
 QLatin1StringView ChannelCalibration::stepKey() const
 {
-    static constexpr std::array<QLatin1StringView, 7> kKeys{
-        QLatin1StringView("choose"), QLatin1StringView("neutral"), QLatin1StringView("extremes"),
-        QLatin1StringView("review"), QLatin1StringView("writing"), QLatin1StringView("done"),
+    static constexpr std::array<QLatin1StringView, 10> kKeys{
+        QLatin1StringView("choose"),   QLatin1StringView("neutral"),   QLatin1StringView("returns"),
+        QLatin1StringView("extremes"), QLatin1StringView("direction"), QLatin1StringView("verify"),
+        QLatin1StringView("review"),   QLatin1StringView("writing"),   QLatin1StringView("done"),
         QLatin1StringView("stopped")};
     return kKeys.at(static_cast<std::size_t>(m_step));
+}
+
+QString ChannelCalibration::sticksDriveText()
+{
+    return tr("In RC and analog mode the sticks move the motors: switch the motors' power off and "
+              "tick that it is off, or put the controller into serial mode.");
 }
 
 QString ChannelCalibration::whyNot() const
@@ -23,6 +29,9 @@ QString ChannelCalibration::whyNot() const
         if (m_isPreparing) {
             return tr("Reading the present calibrations…");
         }
+        if (doSticksDrive() && !m_isMotorPowerOff) {
+            return tr("Say first that the motor power is off.");
+        }
         return m_channels == 0 ? tr("Choose at least one channel.") : QString();
     case Step::Neutral:
         return neutralReason();
@@ -31,9 +40,13 @@ QString ChannelCalibration::whyNot() const
     case Step::Review:
         return reviewReason();
     case Step::Writing:
-        return m_isCancelAsked ? tr("Stopping behind this channel…") : tr("Writing…");
+        return m_writer.isStopping() ? tr("Stopping behind this channel…") : tr("Writing…");
     case Step::Done:
     case Step::Stopped:
+        return endReason();
+    case Step::Returns:
+    case Step::Direction:
+    case Step::Verify:
         break;
     }
     return {};
@@ -95,53 +108,18 @@ QString ChannelCalibration::reviewReason() const
     return {};
 }
 
-std::uint8_t ChannelCalibration::maskOf(WriteState state) const
+QString ChannelCalibration::endReason() const
 {
-    std::uint8_t mask = 0;
-    for (int channel = 1; channel <= kChannelCount; ++channel) {
-        if (at(channel).state == state) {
-            mask |= static_cast<std::uint8_t>(1U << (channel - 1));
-        }
+    if (m_isUndoing) {
+        return tr("Putting the former values back…");
     }
-    return mask;
-}
-
-/// What is in the controller now, as sentences. No error: everything was written.
-QString ChannelCalibration::writtenText(const Error& error) const
-{
-    const auto written = maskOf(WriteState::Written);
-    const auto nearest = maskOf(WriteState::NearestWritten);
-    const auto unchanged = maskOf(WriteState::Unchanged);
-    const auto failed = maskOf(WriteState::Failed);
-    QStringList sentences;
-    if ((written | nearest | failed) == 0) {
-        return unchanged != 0 && m_step == Step::Writing
-            ? tr("The controller already held these values; nothing was written.")
-            : tr("Nothing was changed in the controller.");
+    if (m_writer.isBusy()) {
+        return tr("Reading back what the controller holds…");
     }
-    if (written != 0) {
-        sentences << tr("Channels written and read back: %1.").arg(channelListText(written));
-    }
-    if (nearest != 0) {
-        sentences << tr("Channels written as the nearest values that this controller can take: %1 "
-                        "(it reads the bytes of a calibration as 8 bits each).")
-                         .arg(channelListText(nearest));
-    }
-    if (unchanged != 0) {
-        sentences << tr("Channels that were so already: %1.").arg(channelListText(unchanged));
-    }
-    if (failed != 0) {
-        const bool isRefused = error.code == ErrorCode::BadValue
-            || error.code == ErrorCode::NotInSerialMode || error.code == ErrorCode::OutOfRange;
-        sentences << (isRefused
-                          ? tr("Channel %1 was refused and keeps its old values.")
-                          : tr("Channel %1 may hold its old or its new values: read it again."))
-                         .arg(channelListText(failed));
-    }
-    if (failed != 0 || m_isCancelAsked) {
-        sentences << tr("All other channels are as before.");
-    }
-    return sentences.join(u' ');
+    const bool isThere = m_controller.state() == LinkState::Connected && m_controller.device().mode;
+    return m_writer.needsCheck() && !isThere
+        ? tr("When the controller is there again, what it holds is read back.")
+        : QString();
 }
 
 } // namespace trex

@@ -16,14 +16,13 @@ constexpr std::size_t kLeastBefore = 5; // samples before them to compare with
 constexpr std::size_t kLeastSamples = 20;
 constexpr double kMoveSigmas = 4.0;
 constexpr double kDriftSigmas = 1.25;
+constexpr double kLeastDrift = 1.3; // raw: more than the rounding of a median
 constexpr Duration kLargestGap = 600ms; // a longer silence breaks a window
 
-constexpr std::size_t kLeastSustained = 7; // three spikes in a row reach nothing
-constexpr std::size_t kMostSustained = 15;
-constexpr Duration kLeastSustainedTime = 100ms;
 constexpr Duration kSettledTime = 1500ms;
 constexpr Duration kOneWayPatience = 6s; // before a lever is believed to have one end only
 constexpr std::size_t kMostKept = 60'000; // 20 minutes at 50 Hz
+constexpr double kSpikeSigmas = 8.0;
 
 template <class Points>
 std::vector<int> valuesOf(const Points& points, std::size_t from, std::size_t to)
@@ -39,35 +38,67 @@ std::vector<int> valuesOf(const Points& points, std::size_t from, std::size_t to
 } // namespace
 
 ChannelLearner::ChannelLearner(int channel, InputKind input, Duration stillTime)
-    : m_channel(channel), m_input(input), m_rules(calibrationRules(input)), m_stillTime(stillTime)
+    : m_channel(channel)
+    , m_input(input)
+    , m_rules(calibrationRules(input))
+    , m_stillTime(stillTime)
+    , m_check(input)
+    , m_returns(input)
+    , m_extremes(input)
 {
 }
 
 void ChannelLearner::beginNeutral()
 {
-    m_isExtremes = false;
+    m_phase = Phase::Neutral;
     m_window.clear();
     m_missedInWindow.clear();
     m_restarts = 0;
     m_movedBy = 0;
-    m_sweep.clear();
-    m_sweepSamples = m_sweepMissed = 0;
-    m_neutralSamples = m_neutralMissed = 0;
+    m_check.begin();
+    m_hasNeutral = false;
+    m_neutralSpikes = 0;
+    m_samplesBefore = m_missedBefore = 0;
+    m_returnSamples = m_returnMissed = 0;
+    m_returns.begin(0.0, 0.0);
+    m_extremes.begin(0.0, 0.0, m_latest.value_or(Instant()));
+    m_sweepMissed = 0;
+    m_forwardSign = m_swappedWith = 0;
+}
+
+void ChannelLearner::takeNeutral()
+{
+    const auto values = valuesOf(m_window, 0, m_window.size());
+    m_neutral = medianOf(values);
+    m_sigma = refinedSigma(values);
+    m_samplesBefore = static_cast<int>(values.size());
+    m_missedBefore = static_cast<int>(m_missedInWindow.size());
+    const double limit = std::max(kSpikeSigmas * deviationSigma(values), m_rules.stillFloor);
+    m_neutralSpikes = static_cast<int>(
+        std::ranges::count_if(values, [&](int raw) { return std::abs(raw - m_neutral) > limit; }));
+    m_hasNeutral = true;
+}
+
+void ChannelLearner::beginReturns()
+{
+    if (m_phase == Phase::Neutral) {
+        takeNeutral();
+    }
+    m_phase = Phase::Returns;
+    m_returnSamples = m_returnMissed = 0;
+    m_returns.begin(m_neutral, m_sigma);
 }
 
 void ChannelLearner::beginExtremes()
 {
-    const auto values = valuesOf(m_window, 0, m_window.size());
-    m_neutral = medianOf(values);
-    m_sigma = robustSigma(values);
-    m_neutralSamples = static_cast<int>(values.size());
-    m_neutralMissed = static_cast<int>(m_missedInWindow.size());
-    m_isExtremes = true;
-    m_sweep.clear();
-    m_sweepSamples = m_sweepMissed = 0;
-    const Instant now = m_latest.value_or(Instant());
-    m_low = {m_neutral, m_neutral, now};
-    m_high = {m_neutral, m_neutral, now};
+    if (m_phase == Phase::Neutral) {
+        takeNeutral();
+    } else if (m_returns.count() > 0) {
+        m_neutral = m_returns.neutral();
+    }
+    m_phase = Phase::Extremes;
+    m_sweepMissed = 0;
+    m_extremes.begin(m_neutral, m_sigma, m_latest.value_or(Instant()));
 }
 
 void ChannelLearner::feed(int raw, Instant time)
@@ -77,17 +108,30 @@ void ChannelLearner::feed(int raw, Instant time)
     }
     m_latest = time;
     m_isValid = raw != kInvalidPulse && raw >= m_rules.smallest && raw <= m_rules.largest;
-    if (m_isValid) {
-        m_raw = raw;
-        m_hasSeenReading = true;
-        m_isExtremes ? feedExtremes(raw, time) : feedNeutral(raw, time);
-    } else if (m_isExtremes) {
-        ++m_sweepMissed;
-    } else {
-        m_missedInWindow.push_back(time);
+    m_raw = m_isValid ? raw : m_raw;
+    switch (m_phase) {
+    case Phase::Neutral:
+        m_check.feed(raw, time);
+        if (m_isValid) {
+            feedNeutral(raw, time);
+        } else {
+            m_missedInWindow.push_back(time);
+        }
         if (m_missedInWindow.size() > kMostKept) {
             m_missedInWindow.pop_front();
         }
+        break;
+    case Phase::Returns:
+        ++(m_isValid ? m_returnSamples : m_returnMissed);
+        if (m_isValid) {
+            m_returns.feed(raw, time);
+        }
+        break;
+    case Phase::Extremes:
+        m_isValid ? m_extremes.feed(raw, time) : void(++m_sweepMissed);
+        break;
+    case Phase::Watching:
+        break;
     }
 }
 
@@ -135,8 +179,7 @@ bool ChannelLearner::isDrifting() const
     const double drift = medianOf(valuesOf(m_window, m_window.size() - third, m_window.size()))
         - medianOf(valuesOf(m_window, 0, third));
     const double sigma = differenceSigma(valuesOf(m_window, 0, m_window.size()));
-    return std::abs(drift)
-        > std::clamp(kDriftSigmas * sigma, m_rules.stillFloor, m_rules.stillLimit);
+    return std::abs(drift) > std::clamp(kDriftSigmas * sigma, kLeastDrift, m_rules.stillLimit);
 }
 
 Duration ChannelLearner::stillFor() const
@@ -146,68 +189,20 @@ Duration ChannelLearner::stillFor() const
 
 bool ChannelLearner::hasStillWindow() const
 {
-    const bool isCurrent = m_isExtremes || !m_latest || m_window.empty()
+    const bool isCurrent = m_phase != Phase::Neutral || !m_latest || m_window.empty()
         || *m_latest - m_window.back().time <= kLargestGap;
     return m_window.size() >= kLeastSamples && stillFor() >= m_stillTime && isCurrent
         && !isDrifting();
 }
 
-std::size_t ChannelLearner::sustainedCount() const
-{
-    // The noisier, the longer an end must be held, so that it is not a peak of the noise.
-    const double share = m_sigma / m_rules.neededTravel;
-    const auto extra = static_cast<std::size_t>(std::lround(share * 300.0));
-    return std::min(kLeastSustained + extra, kMostSustained);
-}
-
-void ChannelLearner::feedExtremes(int raw, Instant time)
-{
-    if (m_sweep.size() >= kMostKept) {
-        m_sweep.pop_front();
-    }
-    m_sweep.push_back({raw, time});
-    ++m_sweepSamples;
-    std::size_t first = m_sweep.size() - 1;
-    std::size_t count = 1;
-    while (first > 0
-           && (count < sustainedCount() || time - m_sweep[first].time < kLeastSustainedTime)) {
-        if (m_sweep[first].time - m_sweep[first - 1].time > kLargestGap) {
-            return; // nothing is sustained across a silence
-        }
-        --first;
-        ++count;
-    }
-    if (count >= sustainedCount() && time - m_sweep[first].time >= kLeastSustainedTime) {
-        growEnds(medianOf(valuesOf(m_sweep, first, m_sweep.size())), time);
-    }
-}
-
-void ChannelLearner::growEnds(double sustained, Instant time)
-{
-    // An end that creeps up within its own noise has stopped growing.
-    const double notable = std::max(2.0 * m_sigma, m_rules.neededTravel / 100.0);
-    const auto grow = [&](End& end, double by) {
-        if (by <= 0.0) {
-            return;
-        }
-        end.value = sustained;
-        if (std::abs(end.value - end.noted) > notable) {
-            end.noted = end.value;
-            end.grownAt = time;
-        }
-    };
-    grow(m_low, m_low.value - sustained);
-    grow(m_high, sustained - m_high.value);
-}
-
 int ChannelLearner::lowTravel() const
 {
-    return m_isExtremes ? static_cast<int>(std::lround(m_neutral - m_low.value)) : 0;
+    return m_hasNeutral ? static_cast<int>(std::lround(m_neutral - m_extremes.reachedLow())) : 0;
 }
 
 int ChannelLearner::highTravel() const
 {
-    return m_isExtremes ? static_cast<int>(std::lround(m_high.value - m_neutral)) : 0;
+    return m_hasNeutral ? static_cast<int>(std::lround(m_extremes.reachedHigh() - m_neutral)) : 0;
 }
 
 int ChannelLearner::lowNeeded() const
@@ -222,47 +217,53 @@ int ChannelLearner::highNeeded() const
 
 bool ChannelLearner::areEndsSettled() const
 {
-    if (!m_isExtremes || !m_latest) {
+    if ((m_phase != Phase::Extremes && m_phase != Phase::Watching) || !m_latest) {
         return false;
     }
-    const Duration rest = *m_latest - std::max(m_low.grownAt, m_high.grownAt);
+    const Duration rest = *m_latest - m_extremes.grownAt();
     if (lowNeeded() == 0 && highNeeded() == 0) {
-        return rest >= kSettledTime;
+        return rest >= kSettledTime && *m_latest >= m_extremes.tellableAt();
     }
     const bool isOneWay = lowNeeded() == 0 || highNeeded() == 0;
     return isOneWay && mayRestAtEnd(m_channel) && rest >= kOneWayPatience;
 }
 
-double ChannelLearner::refinedEnd(double reached, int sign) const
+void ChannelLearner::setDirection(int forwardSign, int swappedWith)
 {
-    // The best sustained value is a little lucky in noise; the median of all samples of that end's
-    // plateau is not. Spikes beyond the plateau stay out.
-    const double sigma = std::max(1.0, m_sigma);
-    std::vector<int> plateau;
-    for (const Point& point : m_sweep) {
-        const double beyond = sign * (point.raw - reached);
-        if (beyond >= -sigma && beyond <= 5.0 * sigma) {
-            plateau.push_back(point.raw);
-        }
-    }
-    return plateau.empty() ? reached : medianOf(plateau);
+    m_forwardSign = forwardSign;
+    m_swappedWith = swappedWith;
 }
 
 LearnedChannel ChannelLearner::result() const
 {
     ChannelMeasurement measured;
     measured.channel = m_channel;
-    measured.hasNeutral = m_isExtremes;
-    if (m_isExtremes) {
-        measured.samples = m_neutralSamples + m_sweepSamples;
-        measured.missed = m_neutralMissed + m_sweepMissed;
+    measured.hasNeutral = m_hasNeutral;
+    measured.confusion = m_check.confusion(m_restarts, m_hasNeutral);
+    if (m_hasNeutral) {
+        const auto low = m_extremes.end(-1);
+        const auto high = m_extremes.end(1);
+        measured.samples = m_samplesBefore + m_returnSamples + m_extremes.samples();
+        measured.missed = m_missedBefore + m_returnMissed + m_sweepMissed;
         measured.neutral = m_neutral;
         measured.sigma = m_sigma;
-        measured.lowEnd = lowTravel() > 0 ? refinedEnd(m_low.value, -1) : m_neutral;
-        measured.highEnd = highTravel() > 0 ? refinedEnd(m_high.value, 1) : m_neutral;
+        measured.lowEnd = low.value;
+        measured.highEnd = high.value;
+        measured.lowWindow = low.window;
+        measured.highWindow = high.window;
+        measured.isLowHeld = low.isHeld;
+        measured.isHighHeld = high.isHeld;
+        measured.checked = m_samplesBefore + m_extremes.samples();
+        measured.spikes = m_neutralSpikes + m_extremes.spikes();
+        measured.returns = m_returns.count();
+        measured.repeatability = m_returns.repeatability();
+        measured.farthestRest = m_returns.farthestRest();
+        measured.hysteresis = m_returns.hysteresis();
+        measured.forwardSign = m_forwardSign;
+        measured.swappedWith = m_swappedWith;
     } else {
-        measured.samples = m_hasSeenReading ? static_cast<int>(m_window.size()) : 0;
-        measured.missed = static_cast<int>(m_missedInWindow.size());
+        measured.samples = m_check.samples();
+        measured.missed = m_check.missed();
     }
     return judge(measured, m_input);
 }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSigmaPerDeviation = 1.4826; // of the normal distribution
 constexpr double kSigmasBetweenDeciles = 2.5631;
+constexpr double kRefinedReach = 4.0; // in robust σ
 
 double nth(std::vector<double>& values, std::size_t index)
 {
@@ -47,6 +48,12 @@ double medianOf(std::span<const int> values)
     return middle(work);
 }
 
+double middleOf(std::span<const double> values)
+{
+    std::vector<double> work(values.begin(), values.end());
+    return middle(work);
+}
+
 double quantileOf(std::span<const int> values, double share)
 {
     if (values.empty()) {
@@ -57,10 +64,30 @@ double quantileOf(std::span<const int> values, double share)
     return nth(work, static_cast<std::size_t>(std::lround(place)));
 }
 
+double deviationSigma(std::span<const int> values)
+{
+    return deviation({values.begin(), values.end()});
+}
+
 double robustSigma(std::span<const int> values)
 {
     const double deciles = quantileOf(values, 0.9) - quantileOf(values, 0.1);
-    return std::max(deviation({values.begin(), values.end()}), deciles / kSigmasBetweenDeciles);
+    return std::max(deviationSigma(values), deciles / kSigmasBetweenDeciles);
+}
+
+double refinedSigma(std::span<const int> values)
+{
+    const double centre = medianOf(values);
+    const double reach = kRefinedReach * robustSigma(values);
+    double squares = 0.0;
+    int count = 0;
+    for (const int value : values) {
+        if (std::abs(value - centre) <= reach) {
+            squares += (value - centre) * (value - centre);
+            ++count;
+        }
+    }
+    return count == 0 ? 0.0 : std::sqrt(squares / count);
 }
 
 double differenceSigma(std::span<const int> values)

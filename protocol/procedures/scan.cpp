@@ -3,38 +3,25 @@
 
 #include "protocol/codec/packet.h"
 #include "protocol/codec/parametertable.h"
-#include "protocol/codec/replyparser.h"
+
+#include <QTimer>
 
 #include <utility>
 
 namespace trex {
 namespace {
 
+using namespace Qt::Literals::StringLiterals;
+
+constexpr int kDeviceNumbers = 128;
 constexpr int kSignatureJr = 9; // command documentation, 0x81
-constexpr std::uint8_t kLastDeviceNumber = 127;
 
-// The default first (facts.md 2), then as people use them; 76800 is the least certain (facts.md
-// 2.3).
-constexpr std::array<int, 11> kLikelyRates{19200, 115200, 9600,  38400, 57600, 2400,
-                                           4800,  28800,  14400, 1200,  76800};
-static_assert(kLikelyRates.size() == kBaudRates.size());
-constexpr std::array kLikelyDetections{ErrorDetection::None, ErrorDetection::Crc7,
-                                       ErrorDetection::Even, ErrorDetection::Odd};
-
-bool isSameLine(const LineSettings& a, const LineSettings& b)
+LineSearchOptions searchOptions(const ScanOptions& options)
 {
-    return a.baud == b.baud && a.errorDetection == b.errorDetection && a.stopBits == b.stopBits
-        && a.form == b.form && (a.form == PacketForm::Compact || a.device == b.device);
-}
-
-void addTry(std::vector<ScanTry>& tries, const LineSettings& line)
-{
-    for (const ScanTry& before : tries) {
-        if (isSameLine(before.line, line)) {
-            return;
-        }
-    }
-    tries.push_back({line});
+    return {.given = options.line,
+            .remembered = options.remembered,
+            .only = options.only,
+            .isNetwork = options.port.startsWith("tcp:"_L1)};
 }
 
 } // namespace
@@ -46,30 +33,17 @@ LineSettings ScanHit::line(const LineSettings& base) const
     settings.errorDetection = errorDetection;
     settings.stopBits = stopBits;
     settings.device = device;
+    if (settings.hasCrc()) {
+        settings.polynomial = polynomial;
+    }
     return settings;
 }
 
-std::vector<ScanTry> scanPlan(const LineSettings& given)
-{
-    std::vector<ScanTry> tries;
-    LineSettings line = given;
-    line.timeout = Scan::kReplyTimeout;
-    addTry(tries, line);
-    for (const PacketForm form : {PacketForm::Compact, PacketForm::Pololu}) {
-        line.form = form;
-        for (const ErrorDetection detection : kLikelyDetections) {
-            line.errorDetection = detection;
-            for (const int baud : kLikelyRates) {
-                line.baud = baud;
-                addTry(tries, line);
-            }
-        }
-    }
-    return tries;
-}
-
 Scan::Scan(ScanOptions options, QObject* parent)
-    : Procedure(parent), m_options(std::move(options)), m_controller(nullptr, nullptr)
+    : Procedure(parent)
+    , m_options(std::move(options))
+    , m_search(searchOptions(m_options))
+    , m_controller(nullptr, nullptr)
 {
     connect(&m_controller, &Controller::stateChanged, this, &Scan::onState);
     connect(&m_controller, &Controller::closed, this, &Scan::onClosed, Qt::QueuedConnection);
@@ -81,12 +55,13 @@ Scan::Scan(ScanOptions options, QObject* parent)
 
 void Scan::start()
 {
-    const auto plan = scanPlan(m_options.line);
-    m_tries.assign(plan.begin(), plan.end());
+    m_search = LineSearch(searchOptions(m_options));
     m_hits.clear();
-    m_done = 0;
-    m_answered.reset();
+    m_sweep.clear();
+    m_swept = 0;
+    m_step = Step::Search;
     m_ending.reset();
+    m_isCancelled = false;
     m_elapsed.start();
     setRunning();
     next();
@@ -94,34 +69,71 @@ void Scan::start()
 
 void Scan::cancel()
 {
-    if (isRunning() && !m_ending) {
-        end(fail(ErrorCode::Cancelled));
+    if (isOver() || m_isCancelled) {
+        return;
+    }
+    m_isCancelled = true;
+    const bool isWaiting = m_step != Step::Search;
+    m_sweep.clear();
+    if (isWaiting) {
+        end(fail(ErrorCode::Cancelled)); // on a line that is known: nothing to clear
+    } else {
+        m_search.giveUp(); // what is on its way ends first
     }
 }
 
 Duration Scan::estimatedRemaining() const
 {
-    if (m_done == 0) {
+    const int done = m_search.done() + m_swept;
+    if (done == 0) {
         return Duration::zero();
     }
-    return std::chrono::milliseconds(m_elapsed.elapsed() * static_cast<qint64>(m_tries.size())
-                                     / m_done);
+    const auto left = m_search.total() - m_search.done() + static_cast<int>(m_sweep.size());
+    return std::chrono::milliseconds(m_elapsed.elapsed() * left / done);
 }
 
 void Scan::next()
 {
-    if (m_current.isSweep && (m_tries.empty() || !m_tries.front().isSweep)) {
-        endSweep();
-    }
-    if (m_tries.empty()) {
-        end(m_hits.empty() ? Result<void>(fail(ErrorCode::NoReply, m_options.port))
-                           : Result<void>());
+    if (m_step == Step::Sweep) {
+        if (m_sweep.empty()) {
+            endSweep();
+            return;
+        }
+        m_hit.device = m_sweep.front();
+        m_sweep.pop_front();
+        LineSettings line = m_hit.line(m_options.line);
+        line.form = PacketForm::Pololu;
+        m_ask = {line, encode(query("get-signature"), line), kSignatureJr, true};
+        ++m_swept;
+        tell();
+        openFor(line);
         return;
     }
-    m_current = m_tries.front();
-    m_tries.pop_front();
-    const LineSettings& line = m_current.line;
-    const int total = m_done + static_cast<int>(m_tries.size()) + 1;
+    const auto ask = m_search.next();
+    if (!ask && m_isCancelled) {
+        end(fail(ErrorCode::Cancelled));
+        return;
+    }
+    if (!ask) {
+        m_search.found()
+            ? onFound()
+            : end(m_hits.empty() ? fail(ErrorCode::NoReply, m_options.port) : Result<void>());
+        return;
+    }
+    m_ask = *ask;
+    if (m_ask.isTry) {
+        tell();
+        if (m_isCancelled) { // by a listener
+            next();
+            return;
+        }
+    }
+    openFor(m_ask.line);
+}
+
+void Scan::tell()
+{
+    const LineSettings& line = m_ask.line;
     //: %1 a baud rate; %2 none, even, odd or crc7
     QString text = tr("Trying %1 baud, error detection %2")
                        .arg(line.baud)
@@ -129,14 +141,18 @@ void Scan::next()
     if (line.form == PacketForm::Pololu) {
         text = tr("%1, device %2").arg(text).arg(line.device);
     }
-    emit progressed(m_done, total, text);
-    if (!isRunning() || m_ending) {
-        return; // cancelled by a listener
+    emit progressed(m_search.done() - 1 + m_swept,
+                    m_search.total() + m_swept + static_cast<int>(m_sweep.size()), text);
+}
+
+/// A fresh connection for each question, believed in without another: one that follows a probe
+/// without an answer would be more than the probe. And nothing is sent at its end.
+void Scan::openFor(const LineSettings& line)
+{
+    if (isOver()) {
+        return;
     }
-    ++m_done;
-    m_isProbing = true;
-    // A fresh connection for each try, believed in without a question: one that follows a probe
-    // without an answer would be more than 0x81. And nothing is sent at its end.
+    m_isAsking = true;
     m_controller.open({.port = m_options.port,
                        .line = line,
                        .identify = false,
@@ -146,99 +162,98 @@ void Scan::next()
 
 void Scan::onState(LinkState state)
 {
-    if (!isRunning() || m_ending || !m_isProbing) {
+    if (isOver() || !m_isAsking) {
         return;
     }
     if (state == LinkState::Connected) {
-        probe();
+        onConnected();
     } else if (state == LinkState::Disconnected && m_controller.lastError()) {
         // The port itself failed: no other speed will help.
         end(tl::make_unexpected(*m_controller.lastError()));
     }
 }
 
-void Scan::probe()
+void Scan::onConnected()
 {
+    if (m_step == Step::Details) {
+        askStopBits();
+        return;
+    }
     m_received.clear();
-    m_controller.requestRaw(encode(query("get-signature"), m_current.line), kSignatureJr, this,
-                            [this](const Result<Reply>&) { onAnswer(); });
-}
-
-/// The bytes that came may make a signature even when the request ended without all that it waited
-/// for: a TReX answers two bytes fewer than a TReX Jr (conformance C-70).
-std::optional<Signature> Scan::signatureIn(const QByteArray& bytes) const
-{
-    const qsizetype start = bytes.indexOf("TReX");
-    if (start < 0) {
-        return std::nullopt;
-    }
-    ReplyParser parser(query("get-signature"), m_current.line);
-    parser.feed(QByteArrayView(bytes).sliced(start));
-    if (parser.verdict() != ReplyParser::Verdict::Complete) {
-        return std::nullopt;
-    }
-    const auto signature = parseSignature(parser.payload());
-    return signature ? std::optional(*signature) : std::nullopt;
+    m_controller.requestRaw(m_ask.bytes, m_ask.replyBytes, this, [this](const Result<Reply>&) {
+        if (m_ask.replyBytes > 0) {
+            onAnswer();
+        } else {
+            // Handed over; then its own time on the wire, and the rest.
+            const Duration wire = m_ask.line.timeOf(static_cast<int>(m_ask.bytes.size()));
+            QTimer::singleShot(std::chrono::ceil<std::chrono::milliseconds>(wire)
+                                   + LineSearch::kRest,
+                               this, &Scan::onAnswer);
+        }
+    });
 }
 
 void Scan::onAnswer()
 {
-    if (!isRunning() || m_ending || m_controller.state() != LinkState::Connected) {
+    if (isOver() || m_controller.state() != LinkState::Connected) {
         return; // onState() has ended it
     }
-    const auto signature = signatureIn(m_received);
-    if (!signature) {
-        next();
-    } else if (m_current.isSweep) {
-        m_answered.reset();
-        addHit(m_current.line.device, *signature);
-        next();
-    } else if (m_current.line.errorDetection == ErrorDetection::None) {
-        confirm(*signature);
+    if (m_step == Step::Sweep) {
+        onSwept();
     } else {
-        accept(*signature);
+        if (!m_isCancelled) {
+            m_search.answer(m_received);
+        }
+        next();
     }
 }
 
-/// A controller set to odd parity takes an 0x81 that was sent without: its parity bit is 1, as a
-/// stop bit is. That of 0x83 is 0, so that such a controller does not answer it.
-void Scan::confirm(const Signature& signature)
+void Scan::onFound()
 {
-    m_controller.requestRaw(encode(query("get-serial-control"), m_current.line), 1, this,
-                            [this, signature](const Result<Reply>& reply) {
-                                if (!isRunning() || m_ending
-                                    || m_controller.state() != LinkState::Connected) {
-                                    return;
-                                }
-                                reply ? accept(signature) : next();
-                            });
+    const LineFound& found = *m_search.found();
+    m_hit = {found.line.baud,       found.line.errorDetection,
+             found.line.stopBits,   found.line.device,
+             found.signature,       found.echo,
+             found.line.polynomial, found.status};
+    m_step = Step::Details;
+    LineSettings line = m_hit.line(m_options.line);
+    line.form = PacketForm::Compact;
+    line.echo = found.echo ? EchoMode::On : EchoMode::Off;
+    openFor(line);
 }
 
-void Scan::accept(const Signature& signature)
+/// The line works with one stop bit and with two: only the controller knows what it was told. What
+/// is stored may wait for a power cycle; then speed and error detection tell.
+void Scan::askStopBits()
 {
-    if (m_options.all) {
-        m_answered = hitFor(m_current.line.device, signature);
-        sweepDevices();
-        next();
-    } else if (m_current.line.form == PacketForm::Pololu) {
-        addHit(m_current.line.device, signature);
-        end({});
-    } else {
-        askDeviceNumber(signature);
-    }
-}
-
-void Scan::askDeviceNumber(const Signature& signature)
-{
-    // The line is right, so that a query other than 0x81 is safe now.
-    m_controller.request(readParameter(parameterRow("device-number").number), this,
-                         [this, signature](const Result<Reply>& reply) {
-                             if (!isRunning() || m_ending) {
+    m_controller.request(readParameter(parameterRow("uart-settings").number), this,
+                         [this](const Result<Reply>& reply) {
+                             if (isOver()) {
                                  return;
                              }
-                             addHit(reply ? static_cast<std::uint8_t>(reply->payload.front())
-                                          : m_current.line.device,
-                                    signature);
+                             if (reply) {
+                                 const auto stored = UartSettings::fromRaw(
+                                     static_cast<std::uint8_t>(reply->payload.front()));
+                                 if (stored && stored->baudIndex == baudIndex(m_hit.baud)
+                                     && stored->errorDetection == m_hit.errorDetection) {
+                                     m_hit.stopBits = stored->stopBits;
+                                 }
+                             }
+                             m_options.all ? sweepDevices() : askDeviceNumber();
+                         });
+}
+
+void Scan::askDeviceNumber()
+{
+    m_controller.request(readParameter(parameterRow("device-number").number), this,
+                         [this](const Result<Reply>& reply) {
+                             if (isOver()) {
+                                 return;
+                             }
+                             if (reply) {
+                                 m_hit.device = static_cast<std::uint8_t>(reply->payload.front());
+                             }
+                             addHit();
                              end({});
                          });
 }
@@ -246,44 +261,47 @@ void Scan::askDeviceNumber(const Signature& signature)
 /// Every device number on this line next, then on with the rest of the plan.
 void Scan::sweepDevices()
 {
-    LineSettings line = m_current.line;
-    line.form = PacketForm::Pololu;
-    std::erase_if(m_tries, [&line](const ScanTry& other) {
-        return other.line.form == PacketForm::Pololu && other.line.baud == line.baud
-            && other.line.errorDetection == line.errorDetection;
-    });
-    for (int device = kLastDeviceNumber; device >= 0; --device) {
-        line.device = static_cast<std::uint8_t>(device);
-        m_tries.push_front({line, true});
+    m_step = Step::Sweep;
+    m_sweptAny = false;
+    for (int device = 0; device < kDeviceNumbers; ++device) {
+        m_sweep.push_back(static_cast<std::uint8_t>(device));
     }
+    next();
+}
+
+void Scan::onSwept()
+{
+    if (const auto signature = signatureIn(m_received, m_ask.line)) {
+        m_hit.signature = *signature;
+        m_sweptAny = true;
+        addHit();
+    }
+    next();
 }
 
 /// A controller that answers compact packets and no device number is still one.
 void Scan::endSweep()
 {
-    if (const auto hit = std::exchange(m_answered, std::nullopt)) {
-        m_hits.push_back(*hit);
-        emit found(*hit);
+    if (!m_sweptAny) {
+        m_hit.device = m_options.line.device;
+        m_hit.signature = m_search.found()->signature;
+        addHit();
     }
+    m_step = Step::Search;
+    m_search.resume();
+    next();
 }
 
-ScanHit Scan::hitFor(std::uint8_t device, const Signature& signature) const
+void Scan::addHit()
 {
-    const LineSettings& line = m_current.line;
-    return {line.baud, line.errorDetection, line.stopBits,
-            device,    signature,           m_controller.stats().echo};
-}
-
-void Scan::addHit(std::uint8_t device, const Signature& signature)
-{
-    m_hits.push_back(hitFor(device, signature));
+    m_hits.push_back(m_hit);
     emit found(m_hits.back());
 }
 
 void Scan::end(const Result<void>& result)
 {
-    m_tries.clear();
-    m_isProbing = false;
+    m_sweep.clear();
+    m_isAsking = false;
     m_ending = result;
     m_controller.close();
 }
@@ -294,7 +312,7 @@ void Scan::onClosed()
         return;
     }
     if (m_controller.state() != LinkState::Disconnected) {
-        m_controller.close(); // a try that was under way has opened it once more
+        m_controller.close(); // a question that was under way has opened it once more
         return;
     }
     finish(*std::exchange(m_ending, std::nullopt));

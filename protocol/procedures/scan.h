@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/procedures/linesearch.h"
 #include "protocol/procedures/procedure.h"
 #include "protocol/session/controller.h"
 
@@ -12,34 +13,27 @@ namespace trex {
 
 struct ScanOptions {
     QString port; ///< see makeTransport()
-    LineSettings line; ///< tried first; its polynomial, stop bits and echo hold for every try
+    LineSettings line; ///< tried early; its polynomial and device number hold for every try
     bool all = false; ///< go on after the first, and ask every device number on lines that answer
+    std::vector<LineSettings> remembered{}; ///< that worked on this port before: tried first
+    std::vector<LineSettings> only{}; ///< not empty: just these
 };
 
 struct ScanHit {
     int baud = 19200;
     ErrorDetection errorDetection = ErrorDetection::None;
-    int stopBits = 1;
+    int stopBits = 1; ///< as the controller's UART settings say, else as given
     std::uint8_t device = kDefaultDeviceNumber;
     Signature signature;
     bool echo = false;
+    std::uint8_t polynomial = kDefaultPolynomial; ///< with which CRC-7 was answered
+    std::uint8_t status = 0; ///< of the status byte, which the probe has read and so cleared
     [[nodiscard]] LineSettings line(const LineSettings& base) const;
 };
 
-/// One way to ask: line settings and packet form.
-struct ScanTry {
-    LineSettings line;
-    bool isSweep = false; ///< one of all device numbers, on a line that has answered
-};
-
-/// The tries in the order of their likelihood: the given line, then without error detection, CRC-7,
-/// even, odd, each at the rates people use most; last the same in the Pololu form, which finds one
-/// of several controllers whose compact answers collide.
-[[nodiscard]] std::vector<ScanTry> scanPlan(const LineSettings& given);
-
-/// Finds the controllers on a port. Sends get-signature (0x81) and nothing else to a line that has
-/// not answered it yet: a controller at another speed hears it as garbage. Uses a connection of its
-/// own, so the port must be free. Ends with an error when the port fails or nothing answers.
+/// Finds the controllers on a port, in the order and with the bytes of LineSearch: nothing that it
+/// sends to a line at the wrong speed is a motor command there. Uses a connection of its own, so
+/// the port must be free. Ends with an error when the port fails or nothing answers.
 class Scan : public Procedure {
     Q_OBJECT
 
@@ -51,37 +45,44 @@ public:
     [[nodiscard]] const std::vector<ScanHit>& hits() const { return m_hits; }
     /// Until every try is done, from the time that those so far took; 0 before the first.
     [[nodiscard]] Duration estimatedRemaining() const;
-
-    static constexpr std::chrono::milliseconds kReplyTimeout{60};
+    /// What came back where nothing was found.
+    [[nodiscard]] LineAnswer heard() const { return m_search.heard(); }
 
 signals:
     void found(const trex::ScanHit& hit);
 
 private:
     void next();
+    void tell();
+    void openFor(const LineSettings& line);
     void onState(LinkState state);
-    void probe();
+    void onConnected();
     void onAnswer();
-    [[nodiscard]] std::optional<Signature> signatureIn(const QByteArray& bytes) const;
-    [[nodiscard]] ScanHit hitFor(std::uint8_t device, const Signature& signature) const;
-    void addHit(std::uint8_t device, const Signature& signature);
-    void confirm(const Signature& signature);
-    void accept(const Signature& signature);
-    void askDeviceNumber(const Signature& signature);
+    void onFound();
+    void askStopBits();
+    void askDeviceNumber();
     void sweepDevices();
     void endSweep();
+    void onSwept();
+    void addHit();
     void end(const Result<void>& result);
     void onClosed();
+    [[nodiscard]] bool isOver() const { return !isRunning() || m_ending.has_value(); }
 
+    enum class Step : std::uint8_t { Search, Details, Sweep };
     ScanOptions m_options;
+    LineSearch m_search;
     Controller m_controller;
-    std::deque<ScanTry> m_tries;
-    ScanTry m_current;
+    Step m_step = Step::Search;
+    LineSearch::Ask m_ask;
+    std::deque<std::uint8_t> m_sweep; ///< device numbers yet to ask on the line of m_hit
+    ScanHit m_hit; ///< being completed
+    bool m_sweptAny = false;
     std::vector<ScanHit> m_hits;
-    std::optional<ScanHit> m_answered; ///< of the line being swept, until a number of it answers
-    QByteArray m_received; ///< what came back on the latest probe
-    int m_done = 0;
-    bool m_isProbing = false; ///< opened or opening for m_current
+    QByteArray m_received; ///< what came back on the latest question
+    int m_swept = 0;
+    bool m_isCancelled = false; ///< clears the line, then ends
+    bool m_isAsking = false; ///< opened or opening for a question
     std::optional<Result<void>> m_ending; ///< told when the port is free again
     QElapsedTimer m_elapsed;
 };

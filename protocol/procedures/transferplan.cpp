@@ -36,17 +36,18 @@ QString inputText(InputKind input)
     return input == InputKind::Rc ? Transfer::tr("RC") : Transfer::tr("analog");
 }
 
-/// "0 → 500 ms": the unit once, when both sides carry it.
+/// "200 → 500 ms": the unit once, when both sides carry it.
 QString changeText(const ParameterRow& row, const std::optional<int>& from, int to)
 {
     const QString unit = row.unit.empty() ? QString() : u' ' + QString::fromLatin1(row.unit);
     QString before = !from    ? u"–"_s
         : accepts(row, *from) ? parameterText(row, *from)
                               : QString::number(*from);
-    if (!unit.isEmpty() && before.endsWith(unit)) {
+    const QString after = parameterText(row, to);
+    if (!unit.isEmpty() && before.endsWith(unit) && after.endsWith(unit)) {
         before.chop(unit.size());
     }
-    return u"%1 → %2"_s.arg(before, parameterText(row, to));
+    return u"%1 → %2"_s.arg(before, after);
 }
 
 QString titlesOf(const std::vector<SettingWrite>& writes)
@@ -195,14 +196,21 @@ TransferPlan planTransfer(const Configuration& present, const Configuration& wan
 QString TransferOutcome::text() const
 {
     QStringList sentences;
-    if (!error) {
-        sentences << writtenText(written);
-    } else {
+    const bool isPuttingBack = !restored.empty() || !notRestored.empty();
+    if (error) {
         sentences << (failed ? u"%1: %2"_s.arg(failed->title(), errorText(*error))
                              : errorText(*error));
-        if (restored.empty() && notRestored.empty()) {
+        if (failedMayHold) {
+            sentences << Transfer::tr("Whether it is changed is not known.");
+        }
+        if (!written.empty()) {
+            sentences << Transfer::tr("Written before that, and in the controller now: %1.")
+                             .arg(titlesOf(written));
+        } else if (!isPuttingBack && !failedMayHold) {
             sentences << Transfer::tr("Nothing is changed in the controller.");
         }
+    } else if (!isPuttingBack) {
+        sentences << writtenText(written);
     }
     if (!restored.empty()) {
         sentences << Transfer::tr("Put back as before: %1.").arg(titlesOf(restored));
@@ -218,6 +226,15 @@ QString TransferOutcome::text() const
                          .arg(titlesOf(late));
     }
     return (sentences + notes).join(u' ');
+}
+
+std::vector<SettingWrite> TransferOutcome::toPutBack() const
+{
+    auto writes = written;
+    if (failed && failedMayHold) {
+        writes.push_back(*failed);
+    }
+    return writes;
 }
 
 Configuration presentConfiguration(const Controller& controller, const DeviceSettings& settings)

@@ -77,9 +77,23 @@ Controller::Controller(TelemetryStore* store, StatusLatch* latch, QObject* paren
 Controller::~Controller()
 {
     disconnect(&m_link->worker(), nullptr, this, nullptr);
-    const auto packets =
-        m_options.stopOnClose ? stopPackets(StopKind::Coast) : std::vector<Transaction>{};
+    const auto packets = closingPackets();
     m_link->post([packets](LinkWorker& worker) { worker.close(packets); });
+}
+
+/// A line on which nobody has answered may have another speed, and a controller there hear the stop
+/// as an order.
+std::vector<Transaction> Controller::closingPackets()
+{
+    return m_options.stopOnClose && m_wasConnected ? stopPackets(StopKind::Coast)
+                                                   : std::vector<Transaction>{};
+}
+
+void Controller::closeQuietly()
+{
+    // While it answers, nothing is in doubt, and it is stopped as by every other way out.
+    m_options.stopOnClose = m_options.stopOnClose && m_state == LinkState::Connected;
+    close();
 }
 
 void Controller::open(const OpenOptions& options)
@@ -93,6 +107,7 @@ void Controller::open(const OpenOptions& options)
     ++m_generation;
     m_wasConnected = false;
     m_wasSilent = false;
+    m_lastMode.reset();
     m_stopLatencyMsMax = 0.0;
     m_stats = {};
     setState(LinkState::Connecting, std::nullopt);
@@ -110,8 +125,7 @@ void Controller::close()
     m_isClosing = true;
     setArmed(false);
     m_orders = {};
-    const auto packets =
-        m_options.stopOnClose ? stopPackets(StopKind::Coast) : std::vector<Transaction>{};
+    const auto packets = closingPackets();
     m_link->post([packets](LinkWorker& worker) { worker.close(packets); });
 }
 
@@ -332,6 +346,17 @@ void Controller::powerCycleSimulator()
 {
     m_link->post([](LinkWorker& worker) { worker.powerCycle(); });
     setArmed(false);
+    emit restarted();
+}
+
+void Controller::noteRestart(const QString& evidence)
+{
+    emit eventLogged(1, tr("The controller was restarted: %1.").arg(evidence));
+    if (m_armed) {
+        stop(); // it has forgotten our orders; nothing starts again without a person
+    }
+    m_orders = {};
+    emit ordersChanged();
     emit restarted();
 }
 

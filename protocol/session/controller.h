@@ -29,14 +29,15 @@ class Controller : public QObject {
 public:
     using ReplyHandler = std::function<void(Result<Reply>)>;
 
-    /// `store` and `latch` may be null (command line); they are filled before batchArrived(). With
-    /// a latch, mode, control, learned channels and both latched bytes are polled all the time.
+    /// `store` and `latch` may be null; they are filled before batchArrived(). With a latch, mode,
+    /// control, learned channels and both latched bytes are polled all the time.
     Controller(TelemetryStore* store, StatusLatch* latch, QObject* parent = nullptr);
     ~Controller() override;
 
     void open(const OpenOptions& options);
     /// Stops the motors (stopOnClose), then closes; closed() follows within a bounded time.
     void close();
+    void closeQuietly(); ///< close(), but a line that does not answer is told nothing
 
     [[nodiscard]] LinkState state() const { return m_state; }
     [[nodiscard]] std::optional<Error> lastError() const { return m_lastError; }
@@ -45,13 +46,12 @@ public:
     [[nodiscard]] const DeviceInfo& device() const { return m_device; }
     [[nodiscard]] Model model() const; ///< TReX Jr until a signature says otherwise
 
-    /// Asks the controller. The handler runs on the main thread, once, unless `context` dies
-    /// before. Motor commands are refused here (BadCommand): they go through the gate below.
+    /// Asks. The handler runs on the main thread, once, unless `context` dies before. Motor
+    /// commands are refused here (BadCommand): they go through the gate below.
     void request(const Command& command, QObject* context, ReplyHandler handler);
     /// Bytes as given; waits for `replyBytes` (CRC byte not counted). Refused with Disarmed when
     /// the bytes hold a motor command and the gate is closed.
-    void requestRaw(const QByteArray& bytes, int replyBytes, QObject* context,
-                    ReplyHandler handler);
+    void requestRaw(const QByteArray& bytes, int replyBytes, QObject* context, ReplyHandler then);
 
     /// What a panel wants polled, in Hz (0: nothing). Panels' wishes add up to the highest.
     void want(const QObject* who, PollId poll, double hertz);
@@ -64,30 +64,30 @@ public:
     void disarm(); ///< stops, then closes the gate
     /// Errors: Disarmed, OutOfRange, NotConnected, LockedOut. The handler, if any, is told when the
     /// packet has left (payload empty).
-    Result<void> driveMotor(MotorId motor, const MotorOrder& order, QObject* context = nullptr,
+    Result<void> driveMotor(MotorId motor, const MotorOrder& order, QObject* context = {},
                             ReplyHandler handler = {});
     Result<void> driveBoth(const MotorOrder& motor1, const MotorOrder& motor2,
-                           QObject* context = nullptr, ReplyHandler handler = {});
+                           QObject* context = {}, ReplyHandler handler = {});
     enum class StopKind : std::uint8_t { Coast, Brake };
-    /// Always allowed. Throws away queued motor orders, sends neutral (or full brake) to all three
-    /// motors before anything else, disarms, and refuses motor orders for kStopLockout.
-    void stop(StopKind kind = StopKind::Coast, QObject* context = nullptr,
-              ReplyHandler handler = {});
+    /// Always allowed. Throws queued motor orders away, sends neutral (or full brake) to all three
+    /// before anything else, disarms, and refuses motor orders for kStopLockout.
+    void stop(StopKind kind = StopKind::Coast, QObject* context = {}, ReplyHandler handler = {});
     static constexpr std::chrono::milliseconds kStopLockout{500};
     /// What was last sent to the motors (signed speeds, aux 0 to 127), for display beside sliders.
     [[nodiscard]] MotorOrder lastOrder(MotorId motor) const;
-    /// Longest time from a stop request to its last byte handed to the line, this connection.
+    /// Longest from a stop request to its last byte on the line, this connection.
     [[nodiscard]] double stopLatencyMsMax() const { return m_stopLatencyMsMax; }
 
-    /// Switches the simulated controller (`sim:`) off and on again; nothing on any other port.
-    void powerCycleSimulator();
+    void powerCycleSimulator(); ///< of `sim:`; nothing on any other port
+    /// It has been off, as the evidence (a clause for the log) says: disarms, then restarted().
+    void noteRestart(const QString& evidence);
 
 signals:
     void stateChanged(trex::LinkState state);
     void closed();
     void deviceChanged(); ///< signature, mode, control or learned channels
     void armedChanged(bool armed);
-    void lockedOut(); ///< a stop was asked: from now motor orders are refused for kStopLockout
+    void lockedOut(); ///< a stop was asked: motor orders are refused for kStopLockout
     void stopped(); ///< stop packets have been handed to the line
     void ordersChanged(); ///< lastOrder() of some motor
     /// Store and latch hold new values; at most 60 times a second.
@@ -95,9 +95,7 @@ signals:
     void recordsArrived(const std::vector<trex::TransactionRecord>& records);
     /// A plain sentence for the log. `severity`: 0 information, 1 warning, 2 error.
     void eventLogged(int severity, const QString& text);
-    /// The controller has been off since its settings were last read: what waited for a power cycle
-    /// is in force now.
-    void restarted();
+    void restarted(); ///< it has been off, or may have: what waited for that is in force now
     void reconnected(); ///< connected again after a loss: whatever was read before may be old
 
 private:
@@ -109,6 +107,8 @@ private:
     void setState(LinkState state, const std::optional<Error>& error);
     [[nodiscard]] QString stateSentence(LinkState state, const std::optional<Error>& error) const;
     [[nodiscard]] std::vector<Transaction> stopPackets(StopKind kind);
+    [[nodiscard]] std::vector<Transaction> closingPackets();
+    void followMode(Mode mode);
     Result<void> order(const Result<Command>& command, QObject* context, ReplyHandler handler);
     void setArmed(bool armed);
     [[nodiscard]] Result<void> gate() const;
@@ -138,6 +138,7 @@ private:
     bool m_wasConnected = false;
     bool m_wasSilent = false; ///< the last loss was the controller's silence, not the port's end
     bool m_isClosing = false;
+    std::optional<Mode> m_lastMode; ///< of this connection, kept over losses
     std::optional<OpenOptions> m_openNext; ///< asked for while closing
     quint64 m_stopId = 0; ///< last packet of the latest stop
     Instant m_stopAsked;

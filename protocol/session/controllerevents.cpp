@@ -96,6 +96,9 @@ void Controller::learnFrom(const Reply& reply)
         }
         asked = packet->command;
     }
+    if (m_options.line.form == PacketForm::Pololu) {
+        m_options.line.device = deviceAfter(reply.command, reply.payload, m_options.line.device);
+    }
     for (const PollRow& row : kPolls) {
         if (!row.hasMask && asked == pollCommand(row.id) && isPlausible(asked, reply.payload)) {
             onSample(decodePoll(row.id, reply.payload, reply.received));
@@ -124,6 +127,9 @@ void Controller::onSample(const PollSample& sample)
         m_device.mode = parseMode(QByteArrayView(&letter, 1))
                             .map([](Mode m) { return std::optional(m); })
                             .value_or(std::nullopt);
+        if (m_device.mode) {
+            followMode(*m_device.mode);
+        }
         break;
     }
     case PollId::SerialControl:
@@ -140,6 +146,21 @@ void Controller::onSample(const PollSample& sample)
     if (before.mode != m_device.mode || before.serialControls != m_device.serialControls
         || before.learnedMask != m_device.learnedMask) {
         emit deviceChanged();
+    }
+}
+
+/// In serial mode the letter follows parameter 0x7C, which takes a power cycle to act (command
+/// documentation, 0xAF): another letter is proof of one, however short it was. A jumper's change is
+/// none.
+void Controller::followMode(Mode mode)
+{
+    const auto before = std::exchange(m_lastMode, mode);
+    if (before && *before != mode && isSerial(*before) && isSerial(mode)) {
+        noteRestart(inputOf(mode) == InputKind::Analog
+                        ? tr("its channel inputs are read as voltages now, which only a power "
+                             "cycle brings about")
+                        : tr("its channel inputs are read as RC pulses now, which only a power "
+                             "cycle brings about"));
     }
 }
 
@@ -174,6 +195,9 @@ void Controller::setState(LinkState state, const std::optional<Error>& error)
     if (state == LinkState::Connected) {
         if (std::exchange(m_wasConnected, true)) {
             if (std::exchange(m_wasSilent, false)) {
+                emit eventLogged(1,
+                                 tr("The controller was silent and answers again: it may have been "
+                                    "restarted. Everything is read anew."));
                 emit restarted();
             }
             emit reconnected();

@@ -3,8 +3,6 @@
 
 #include "protocol/codec/replies.h"
 
-#include <algorithm>
-
 namespace trex {
 
 namespace {
@@ -18,49 +16,6 @@ tl::unexpected<Error> lossOf(const Error& error, const QString& what)
                 error.code == ErrorCode::NoReply
                     ? DeviceSettings::tr("the controller (%1)").arg(what)
                     : what);
-}
-
-bool isRefusal(ErrorCode code)
-{
-    return code == ErrorCode::BadParameterNumber || code == ErrorCode::BadValue
-        || code == ErrorCode::NotInSerialMode || code == ErrorCode::UnknownAnswer;
-}
-
-QString calibrationText(const Calibration& c)
-{
-    return u"%1 / %2 / %3 / %4"_s.arg(c.minimum).arg(c.neutral).arg(c.maximum).arg(c.deadband);
-}
-
-/// Every field as a controller stores it that joins the halves as low + 256 × high (C-35).
-int eightBitReading(int value)
-{
-    return (value & 0x7F) + 256 * (value >> 7);
-}
-
-Calibration eightBitReading(const Calibration& c)
-{
-    return {eightBitReading(c.minimum), eightBitReading(c.neutral), eightBitReading(c.maximum),
-            eightBitReading(c.deadband)};
-}
-
-/// The value to send so that such a controller stores the nearest one that can be sent that way:
-/// its low byte has seven bits.
-int forEightBit(int wanted)
-{
-    int low = wanted & 0xFF;
-    int high = wanted >> 8;
-    if (low > 0x7F) { // 128 to 255: down to 127, or up to the next multiple of 256
-        const bool up = low >= 192;
-        low = up ? 0 : 0x7F;
-        high += up ? 1 : 0;
-    }
-    return std::min(low + (high << 7), kLargestCalibrationValue);
-}
-
-Calibration forEightBit(const Calibration& c)
-{
-    return {forEightBit(c.minimum), forEightBit(c.neutral), forEightBit(c.maximum),
-            forEightBit(c.deadband)};
 }
 
 } // namespace
@@ -159,85 +114,38 @@ void DeviceSettings::readParameter(const ParameterRow& row, QObject* context,
                          });
 }
 
-void DeviceSettings::writeParameter(const ParameterRow& row, int raw, bool verify, QObject* context,
-                                    const Handler<ParameterWrite>& handler)
+template <class T>
+void DeviceSettings::settle(const Result<T>& read, const std::optional<T>& expected,
+                            QObject* context, const Handler<T>& handler,
+                            const std::function<void(const T&)>& again)
 {
-    if (row.isTrigger || !accepts(row, raw)) {
-        handler(fail(ErrorCode::OutOfRange, u"%1 = %2"_s.arg(QLatin1StringView(row.key)).arg(raw)));
+    if (!read || expected == *read || m_controller.options().line.hasCrc()) {
+        handler(read);
         return;
     }
-    // Read first: the EEPROM lives about 100,000 writes, so what is there already is not written.
-    readParameter(row, context, [=, this, &row](const Result<int>& before) {
-        if (!before) {
-            handler(tl::make_unexpected(before.error()));
-        } else if (*before == raw) {
-            handler(ParameterWrite{raw, raw, true});
-        } else {
-            sendParameter(row, raw, *before, verify, context, handler);
-        }
+    // The query may have been taken for one with a longer reply, whose next byte would pass for the
+    // second answer: the mode's letter cannot be mistaken for it.
+    m_controller.request(query("get-mode"), context,
+                         [again, seen = *read](const Result<Reply>&) { again(seen); });
+}
+
+void DeviceSettings::readSurely(const ParameterRow& row, const std::optional<int>& expected,
+                                QObject* context, const Handler<int>& handler)
+{
+    readParameter(row, context, [=, this, &row](const Result<int>& read) {
+        settle<int>(read, expected, context, handler,
+                    [=, this, &row](int seen) { readSurely(row, seen, context, handler); });
     });
 }
 
-void DeviceSettings::sendParameter(const ParameterRow& row, int raw, int from, bool verify,
-                                   QObject* context, const Handler<ParameterWrite>& handler)
+void DeviceSettings::readSurely(int channel, const std::optional<Calibration>& expected,
+                                QObject* context, const Handler<Calibration>& handler)
 {
-    const QString key = QString::fromLatin1(row.key);
-    const Command command = trex::writeParameter(row.number, static_cast<std::uint8_t>(raw));
-    m_controller.request(command, context, [=, this, &row](const Result<Reply>& reply) {
-        const Result<void> answer =
-            reply ? parseAnswer(reply->payload) : tl::make_unexpected(reply.error());
-        if (!answer && isRefusal(answer.error().code)) {
-            handler(fail(answer.error().code, key));
-            return;
-        }
-        if (answer && row.needsReset) {
-            m_inForce.try_emplace(row.number, from);
-        }
-        if (answer && !verify) {
-            m_parameters.erase(row.number); // answered "done", but not seen
-            handler(ParameterWrite{from, raw, false});
-            return;
-        }
-        verifyParameter(row, raw, from, answer ? std::nullopt : std::optional(answer.error()),
-                        context, handler);
-    });
-}
-
-void DeviceSettings::verifyParameter(const ParameterRow& row, int raw, int from,
-                                     const std::optional<Error>& lost, QObject* context,
-                                     const Handler<ParameterWrite>& handler)
-{
-    readParameter(row, context, [=, this, &row](const Result<int>& now) {
-        const QString key = QString::fromLatin1(row.key);
-        if (!now) {
-            handler(tl::make_unexpected(now.error()));
-        } else if (*now == raw) {
-            if (row.needsReset) {
-                m_inForce.try_emplace(row.number, from);
-            }
-            handler(ParameterWrite{from, raw, true});
-        } else if (lost) {
-            explainSilence(
-                {lost->code == ErrorCode::NoReply ? ErrorCode::NotTrusted : lost->code, key},
-                context, [handler](const Error& error) { handler(tl::make_unexpected(error)); });
-        } else {
-            handler(fail(ErrorCode::ReadBackDiffers,
-                         tr("%1: wrote %2, read back %3").arg(key).arg(raw).arg(*now)));
-        }
-    });
-}
-
-void DeviceSettings::explainSilence(const Error& error, QObject* context,
-                                    const std::function<void(Error)>& then)
-{
-    m_controller.request(
-        query("get-uart-errors"), context, [error, then](const Result<Reply>& reply) {
-            Error explained = error;
-            if (reply) {
-                explained.context += u" ("_s + describeReply(reply->command, reply->payload) + u')';
-            }
-            then(explained);
+    readCalibration(channel, context, [=, this](const Result<Calibration>& read) {
+        settle<Calibration>(read, expected, context, handler, [=, this](const Calibration& seen) {
+            readSurely(channel, seen, context, handler);
         });
+    });
 }
 
 void DeviceSettings::readCalibration(int channel, QObject* context,
@@ -257,74 +165,6 @@ void DeviceSettings::readCalibration(int channel, QObject* context,
             }
             handler(calibration);
         });
-}
-
-void DeviceSettings::writeCalibration(int channel, const Calibration& calibration, QObject* context,
-                                      const Handler<CalibrationWrite>& handler)
-{
-    const Command command = trex::writeCalibration(channel, calibration);
-    const bool ordered = calibration.minimum <= calibration.neutral
-        && calibration.neutral <= calibration.maximum && calibration.minimum < calibration.maximum;
-    if (!ordered || !validate(command)) {
-        handler(fail(
-            ErrorCode::OutOfRange,
-            tr("calibration of channel %1: %2").arg(channel).arg(calibrationText(calibration))));
-        return;
-    }
-    readCalibration(channel, context, [=, this](const Result<Calibration>& before) {
-        if (!before) {
-            handler(tl::make_unexpected(before.error()));
-        } else if (*before == calibration) {
-            handler(CalibrationWrite{calibration, true, false});
-        } else {
-            sendCalibration(channel, calibration, calibration, context, handler);
-        }
-    });
-}
-
-void DeviceSettings::sendCalibration(int channel, const Calibration& wanted,
-                                     const Calibration& sent, QObject* context,
-                                     const Handler<CalibrationWrite>& handler)
-{
-    const Command command = trex::writeCalibration(channel, sent);
-    m_controller.request(command, context, [=, this](const Result<Reply>& reply) {
-        const Result<void> answer =
-            reply ? parseAnswer(reply->payload) : tl::make_unexpected(reply.error());
-        if (!answer && isRefusal(answer.error().code)) {
-            handler(fail(answer.error().code, tr("calibration of channel %1").arg(channel)));
-            return;
-        }
-        verifyCalibration(channel, wanted, sent,
-                          answer ? std::nullopt : std::optional(answer.error()), context, handler);
-    });
-}
-
-void DeviceSettings::verifyCalibration(int channel, const Calibration& wanted,
-                                       const Calibration& sent, const std::optional<Error>& lost,
-                                       QObject* context, const Handler<CalibrationWrite>& handler)
-{
-    readCalibration(channel, context, [=, this](const Result<Calibration>& now) {
-        const QString what = tr("calibration of channel %1").arg(channel);
-        const bool firstTry = sent == wanted;
-        if (!now) {
-            handler(tl::make_unexpected(now.error()));
-        } else if (*now == wanted) {
-            handler(CalibrationWrite{*now, true, !firstTry});
-        } else if (firstTry && *now == eightBitReading(sent)) {
-            // The other reading of the byte pairs (C-35): send what that controller stores nearest.
-            sendCalibration(channel, wanted, forEightBit(wanted), context, handler);
-        } else if (!firstTry && *now == eightBitReading(sent)) {
-            handler(CalibrationWrite{*now, false, true});
-        } else if (lost) {
-            explainSilence(
-                {lost->code == ErrorCode::NoReply ? ErrorCode::NotTrusted : lost->code, what},
-                context, [handler](const Error& error) { handler(tl::make_unexpected(error)); });
-        } else {
-            handler(fail(ErrorCode::ReadBackDiffers,
-                         tr("%1: wrote %2, read back %3")
-                             .arg(what, calibrationText(wanted), calibrationText(*now))));
-        }
-    });
 }
 
 void DeviceSettings::readAll(QObject* context, const std::function<void(int, int)>& progress,
@@ -373,23 +213,6 @@ void DeviceSettings::readNext(std::size_t index, QObject* context,
                             onward(calibration ? std::nullopt : std::optional(calibration.error()));
                         });
     }
-}
-
-void DeviceSettings::factoryReset(QObject* context, const Handler<void>& handler)
-{
-    const std::uint8_t number = parameterRow("factory-reset").number;
-    m_controller.request(trex::writeParameter(number, kFactoryResetValue), context,
-                         [this, handler](const Result<Reply>& reply) {
-                             const Result<void> answer = reply ? parseAnswer(reply->payload)
-                                                               : tl::make_unexpected(reply.error());
-                             if (answer) {
-                                 for (const auto& [known, raw] : m_parameters) {
-                                     m_inForce.try_emplace(known, raw);
-                                 }
-                                 forget(); // what was read before may be old now
-                             }
-                             handler(answer);
-                         });
 }
 
 } // namespace trex

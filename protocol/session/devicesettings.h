@@ -4,14 +4,15 @@
 #include "protocol/codec/command.h"
 #include "protocol/codec/parametertable.h"
 #include "protocol/session/controller.h"
+#include "protocol/session/writerecorder.h"
 
 #include <map>
 
 namespace trex {
 
 /// The controller's settings as last read, and reads and writes that verify themselves. Main
-/// thread. Reads are cached until the link is lost; a write is followed by its read-back and never
-/// repeated blindly.
+/// thread. Reads are cached until the link is lost; a write is recorded, followed by its read-back
+/// and never repeated blindly.
 class DeviceSettings : public QObject {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(DeviceSettings)
@@ -32,6 +33,8 @@ public:
     };
 
     explicit DeviceSettings(Controller& controller, QObject* parent = nullptr);
+    /// Told of every write before it is sent and when its effect is known; null: nobody is.
+    void setRecorder(WriteRecorder* recorder) { m_recorder = recorder; }
 
     [[nodiscard]] std::optional<int> parameter(std::uint8_t number) const; ///< last read, else none
     [[nodiscard]] std::optional<Calibration> calibration(InputKind input, int channel) const;
@@ -41,11 +44,19 @@ public:
 
     void readParameter(const ParameterRow& row, QObject* context, const Handler<int>& handler);
     /// Writes, reads back. Nothing is written when the controller already holds the value. Errors:
-    /// OutOfRange (nothing sent), a refusal, a loss, ReadBackDiffers (with both values).
+    /// OutOfRange (nothing sent), FileUnwritable (the recorder's; nothing sent), a refusal, a loss,
+    /// ReadBackDiffers (with both values). Once begun it is carried to its end even when `context`
+    /// dies.
     void writeParameter(const ParameterRow& row, int raw, bool verify, QObject* context,
                         const Handler<ParameterWrite>& handler);
     /// Of the input set in force; the result is kept under that set when the mode is known.
     void readCalibration(int channel, QObject* context, const Handler<Calibration>& handler);
+    /// Without CRC-7 a damaged byte makes another legal value, or asks for another setting: a reply
+    /// is believed when it says what was expected, or when two in a row say the same.
+    void readSurely(const ParameterRow& row, const std::optional<int>& expected, QObject* context,
+                    const Handler<int>& handler);
+    void readSurely(int channel, const std::optional<Calibration>& expected, QObject* context,
+                    const Handler<Calibration>& handler);
     void writeCalibration(int channel, const Calibration& calibration, QObject* context,
                           const Handler<CalibrationWrite>& handler);
     /// Everything: all readable parameters and the calibrations of the input set in force.
@@ -65,22 +76,37 @@ private:
     void store(const ParameterRow& row, int raw);
     void readNext(std::size_t index, QObject* context,
                   const std::function<void(int, int)>& progress, const Handler<void>& handler);
-    void sendParameter(const ParameterRow& row, int raw, int from, bool verify, QObject* context,
+    /// One write under way: what was intended, and its number in the recorder (0: none).
+    struct Pending {
+        WriteIntent intent;
+        qint64 number = 0;
+    };
+    /// Has the write recorded, then sends it. `onward` gets the controller's answer, or why nothing
+    /// was sent (then with number −1).
+    void transmit(const Command& command, const WriteIntent& intent,
+                  const std::function<void(const Pending&, const Result<void>&)>& onward);
+    void conclude(const Pending& pending, WriteResult result,
+                  const std::optional<SettingValue>& found = {}, const QString& detail = {});
+    void sendParameter(const ParameterRow& row, int raw, int from, bool verify,
                        const Handler<ParameterWrite>& handler);
-    void verifyParameter(const ParameterRow& row, int raw, int from,
-                         const std::optional<Error>& lost, QObject* context,
+    void verifyParameter(const Pending& pending, const std::optional<Error>& lost,
                          const Handler<ParameterWrite>& handler);
-    void sendCalibration(int channel, const Calibration& wanted, const Calibration& sent,
-                         QObject* context, const Handler<CalibrationWrite>& handler);
-    void verifyCalibration(int channel, const Calibration& wanted, const Calibration& sent,
-                           const std::optional<Error>& lost, QObject* context,
+    void sendCalibration(const SettingId& setting, const Calibration& before,
+                         const Calibration& wanted, const Calibration& sent,
+                         const Handler<CalibrationWrite>& handler);
+    void verifyCalibration(const Pending& pending, const Calibration& wanted,
+                           const Calibration& sent, const std::optional<Error>& lost,
                            const Handler<CalibrationWrite>& handler);
+    /// Sees to it that what `read` brought is certain; asks again with `again(expected)`.
+    template <class T>
+    void settle(const Result<T>& read, const std::optional<T>& expected, QObject* context,
+                const Handler<T>& handler, const std::function<void(const T&)>& again);
     /// A setting that got no answer was not trusted: the UART error byte may say why.
-    void explainSilence(const Error& error, QObject* context,
-                        const std::function<void(Error)>& then);
+    void explainSilence(const Error& error, const std::function<void(Error)>& then);
     [[nodiscard]] std::optional<int> evidenceInForce(std::uint8_t number) const;
 
     Controller& m_controller;
+    WriteRecorder* m_recorder = nullptr;
     std::map<std::uint8_t, int> m_parameters;
     std::map<std::pair<InputKind, int>, Calibration> m_calibrations;
     std::map<std::uint8_t, int> m_inForce; ///< value before the first write, until a power cycle

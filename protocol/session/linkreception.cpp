@@ -69,6 +69,14 @@ bool isPlausible(const Command& command, QByteArrayView payload)
     return true;
 }
 
+std::uint8_t deviceAfter(const Command& command, QByteArrayView payload, std::uint8_t device)
+{
+    // Command documentation, 0xAF: number, value, 0x55, 0x2A; answer 0 is done.
+    const bool isDone = command.opcode == commandRow("set-parameter").first && payload.size() == 1
+        && payload[0] == 0 && command.data.size() == 4 && command.data[0] == 0;
+    return isDone ? static_cast<std::uint8_t>(command.data[1]) : device;
+}
+
 void LinkEngine::received(QByteArrayView bytes, Instant at)
 {
     const QByteArray held = std::exchange(m_undecided, {}) + bytes.toByteArray();
@@ -308,6 +316,7 @@ void LinkEngine::complete(const QByteArray& payload, Instant at)
     record(flight, at, std::nullopt);
     m_failures = 0;
     m_lastValid = at;
+    m_settings.device = deviceAfter(flight.queued.transaction.command, payload, m_settings.device);
     const Duration trip = at - flight.sent;
     const Duration wire =
         m_settings.timeOf(static_cast<int>(flight.sentBytes.size() + flight.received.size()));

@@ -18,11 +18,6 @@ constexpr auto kShortWait = 2ms;
 // A stop that the façade has posted gets its turn after this much, however long the timeout is.
 constexpr auto kLongestBlock = 20ms;
 
-Instant clockNow()
-{
-    return std::chrono::steady_clock::now();
-}
-
 } // namespace
 
 LinkWorker::LinkWorker() : m_wake(this), m_reopen(this), m_publish(this)
@@ -38,6 +33,11 @@ LinkWorker::LinkWorker() : m_wake(this), m_reopen(this), m_publish(this)
 
 LinkWorker::~LinkWorker() = default;
 
+Instant LinkWorker::clockNow() const
+{
+    return m_transport ? m_transport->now() : std::chrono::steady_clock::now();
+}
+
 void LinkWorker::open(const OpenOptions& options, quint32 generation)
 {
     m_reopen.stop();
@@ -49,7 +49,6 @@ void LinkWorker::open(const OpenOptions& options, quint32 generation)
     auto made = isNew ? makeTransport(options.port) : Result<std::unique_ptr<Transport>>{};
     m_reconnect = options.reconnect && made; // an address that makes no sense never will
     m_engine = std::make_unique<LinkEngine>(options.line, options.identify, m_reconnect);
-    m_engine->setWishes(m_wishes, clockNow());
     if (!made) {
         m_transport.reset();
         m_engine->lineFailed(made.error(), clockNow());
@@ -73,6 +72,7 @@ void LinkWorker::open(const OpenOptions& options, quint32 generation)
                 });
         connect(m_transport.get(), &Transport::failed, this, &LinkWorker::onFailed);
     }
+    m_engine->setWishes(m_wishes, clockNow());
     openTransport();
 }
 
@@ -98,7 +98,13 @@ void LinkWorker::onFailed(const Error& error)
     }
     m_engine->lineFailed(error, clockNow());
     publish(true);
-    if (m_reconnect) {
+    if (!m_reconnect) {
+        return;
+    }
+    if (m_transport && !m_transport->isRealTime()) {
+        m_transport->waitForBytes(kReopenInterval);
+        m_reopen.start(0);
+    } else {
         m_reopen.start(kReopenInterval);
     }
 }
@@ -211,7 +217,7 @@ bool LinkWorker::step()
         return true;
     }
     const Duration wait = action.until - clockNow();
-    if (wait <= kShortWait) {
+    if (wait <= kShortWait || !m_transport->isRealTime()) {
         if (wait > Duration::zero()) {
             m_transport->waitForBytes(wait);
         }

@@ -44,6 +44,7 @@ private:
     void closeTransport();
     void onFailed(const Error& error);
     void publish(bool always);
+    [[nodiscard]] Instant clockNow() const; ///< the transport's
 
     std::unique_ptr<Transport> m_transport;
     QString m_address;

@@ -101,4 +101,8 @@ struct LinkBatch {
     LinkStats stats;
 };
 
+/// The device number that the controller answers to after this reply: parameter 0x00 acts at once.
+[[nodiscard]] std::uint8_t deviceAfter(const Command& command, QByteArrayView payload,
+                                       std::uint8_t device);
+
 } // namespace trex

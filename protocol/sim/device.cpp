@@ -68,6 +68,7 @@ Device::Device(const SimOptions& options, std::size_t index, const Eeprom* store
     : m_eeprom(stored != nullptr ? *stored : freshEeprom(options, index))
     , m_firmware(options, m_eeprom, start)
     , m_inputs(options.scenario, options.seed * 64 + 2 * index)
+    , m_currentTraces(options.scenario.currentTraces)
     , m_motors{MotorModel{}, MotorModel{}, MotorModel{kAuxMotor}}
     , m_noise(options.seed * 64 + 2 * index + 1)
     , m_start(start)
@@ -211,6 +212,10 @@ void Device::stepCurrents()
             const double noisy = count + kConversionNoise * m_noise.symmetric();
             counts[i] = static_cast<int>(std::clamp(std::lround(noisy), 0L, 255L));
         }
+    }
+    const double seconds = std::chrono::duration<double>(m_stepped - m_start).count();
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        counts[i] = m_currentTraces[i].at(seconds).value_or(static_cast<std::uint16_t>(counts[i]));
     }
     m_firmware.setCurrents(counts[0], counts[1]);
     m_sums = {};

@@ -77,6 +77,7 @@ private:
     Eeprom m_eeprom;
     Firmware m_firmware;
     InputModel m_inputs;
+    std::array<Trace, 2> m_currentTraces;
     std::array<MotorModel, 3> m_motors;
     std::array<MotorOutput, 3> m_seen;
     std::deque<OutputChange> m_changes;

@@ -22,16 +22,24 @@ struct FaultRow {
 constexpr double kLongestDelayMs = 60'000;
 constexpr double kMostGarbage = 4096;
 constexpr double kLongestTime = 1e9;
+constexpr double kLastByte = 1e12;
+constexpr double kAllBits = 255;
 
 constexpr std::array kFaults{
     FaultRow{"corrupt"_L1, 1.0, [](Faults& f, double v) { f.corrupt = v; }},
+    FaultRow{"corrupt-at"_L1, kLastByte, [](Faults& f, double v) { f.corruptAt = qint64(v); }},
+    FaultRow{"corrupt-mask"_L1, kAllBits,
+             [](Faults& f, double v) { f.corruptMask = static_cast<std::uint8_t>(v); }},
     FaultRow{"delay"_L1, kLongestDelayMs, [](Faults& f, double v) { f.delayMs = v; }},
     FaultRow{"drop"_L1, 1.0, [](Faults& f, double v) { f.drop = v; }},
+    FaultRow{"drop-at"_L1, kLastByte, [](Faults& f, double v) { f.dropAt = qint64(v); }},
     FaultRow{"duplicate"_L1, 1.0, [](Faults& f, double v) { f.duplicate = v; }},
     FaultRow{"garbage"_L1, kMostGarbage, [](Faults& f, double v) { f.garbage = int(v); }},
     FaultRow{"hangup-after"_L1, kLongestTime, [](Faults& f, double v) { f.hangupAfter = v; }},
+    FaultRow{"hangup-at"_L1, kLastByte, [](Faults& f, double v) { f.hangupAt = qint64(v); }},
     FaultRow{"hangup-for"_L1, kLongestTime, [](Faults& f, double v) { f.hangupFor = v; }},
     FaultRow{"reset-after"_L1, kLongestTime, [](Faults& f, double v) { f.resetAfter = v; }},
+    FaultRow{"reset-at"_L1, kLastByte, [](Faults& f, double v) { f.resetAt = qint64(v); }},
     FaultRow{"silent-after"_L1, kLongestTime, [](Faults& f, double v) { f.silentAfter = v; }},
     FaultRow{"silent-for"_L1, kLongestTime, [](Faults& f, double v) { f.silentFor = v; }},
 };
@@ -100,7 +108,24 @@ FaultWindow silence(const Faults& faults, double origin)
 
 FaultWindow hangUp(const Faults& faults, double origin)
 {
+    if (faults.hangupAt && !faults.hangupAfter) {
+        return {}; // its time is not known yet
+    }
     return window(faults.hangupAfter, faults.hangupFor, origin);
+}
+
+ByteFate fateOf(const Faults& faults, qint64 number, std::uint8_t& value)
+{
+    if (faults.corruptAt == number) {
+        value = static_cast<std::uint8_t>(value ^ faults.corruptMask);
+    }
+    if (faults.dropAt == number) {
+        return ByteFate::Dropped;
+    }
+    if (faults.hangupAt == number) {
+        return ByteFate::HangsUp;
+    }
+    return faults.resetAt == number ? ByteFate::Resets : ByteFate::Passes;
 }
 
 bool damages(const Faults& faults)

@@ -38,8 +38,14 @@ private:
 /// | hangup-after | s                   | the port is gone from then on                          |
 /// | hangup-for   | s                   | for so long, then it is back; alone: from now          |
 /// | reset-after  | s                   | brown-out: RAM and latched bits lost, EEPROM kept      |
+/// | drop-at      | byte number         | that byte is lost                                      |
+/// | corrupt-at   | byte number         | its bits of corrupt-mask (default 1) are flipped       |
+/// | hangup-at    | byte number         | the port is gone from that byte on, for hangup-for     |
+/// | reset-at     | byte number         | that byte is lost in a brown-out                       |
 ///
-/// Times count from the start of the line, or from the scenario event that sets them.
+/// Times count from the start of the line, or from the scenario event that sets them. Byte numbers
+/// count what crosses the wire in either direction since the start of the line, from 1; the echo is
+/// not counted.
 struct Faults {
     static constexpr double kNever = std::numeric_limits<double>::infinity();
     double drop = 0.0;
@@ -52,6 +58,11 @@ struct Faults {
     std::optional<double> hangupAfter;
     std::optional<double> hangupFor;
     std::optional<double> resetAfter;
+    std::optional<qint64> dropAt;
+    std::optional<qint64> corruptAt;
+    std::uint8_t corruptMask = 1;
+    std::optional<qint64> hangupAt;
+    std::optional<qint64> resetAt;
 
     /// "drop", 0.1. OutOfRange with a sentence for an unknown name or a value out of range.
     [[nodiscard]] Result<void> apply(const QString& name, double value);
@@ -67,6 +78,11 @@ struct FaultWindow {
 /// "-after" and "-for" together: an absent one is now, and for ever; neither: never.
 [[nodiscard]] FaultWindow silence(const Faults& faults, double origin);
 [[nodiscard]] FaultWindow hangUp(const Faults& faults, double origin);
+
+/// What becomes of one byte on the wire, by its number.
+enum class ByteFate : std::uint8_t { Passes, Dropped, HangsUp, Resets };
+/// `value` is changed when it is the one to be corrupted.
+[[nodiscard]] ByteFate fateOf(const Faults& faults, qint64 number, std::uint8_t& value);
 
 /// True when damaged() could change anything.
 [[nodiscard]] bool damages(const Faults& faults);

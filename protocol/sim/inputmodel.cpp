@@ -62,7 +62,7 @@ std::vector<ChannelWave> defaultRows()
 } // namespace
 
 InputModel::InputModel(const Scenario& scenario, quint64 seed)
-    : m_plan(scenario.stick.value_or(StickPlan{})), m_random(seed)
+    : m_plan(scenario.stick.value_or(StickPlan{})), m_traces(scenario.channelTraces), m_random(seed)
 {
     const bool isDefault = scenario.channels.empty() && !scenario.stick;
     for (int channel = 1; channel <= kChannelCount; ++channel) {
@@ -140,6 +140,9 @@ double InputModel::level(const ChannelWave& row, double seconds, InputKind kind)
 
 std::optional<std::uint16_t> InputModel::sample(int channel, double seconds, InputKind kind)
 {
+    if (const auto traced = m_traces[static_cast<std::size_t>(channel - 1)].at(seconds)) {
+        return traced;
+    }
     const ChannelWave& row = rowAt(static_cast<std::size_t>(channel - 1), seconds);
     if (kind == InputKind::Rc && (row.wave == Wave::Missing || m_random.chance(row.missing))) {
         return std::nullopt;

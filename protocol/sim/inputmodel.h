@@ -21,6 +21,7 @@ private:
     [[nodiscard]] double level(const ChannelWave& row, double seconds, InputKind kind);
 
     StickPlan m_plan;
+    std::array<Trace, kChannelCount> m_traces;
     std::array<std::vector<ChannelWave>, kChannelCount> m_rows;
     Random m_random;
 };

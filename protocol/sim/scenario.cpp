@@ -227,6 +227,13 @@ ScenarioEvent eventFrom(const QJsonValue& value, const QString& path, QString& p
 
 } // namespace
 
+std::optional<std::uint16_t> Trace::at(double seconds) const
+{
+    const auto next = std::upper_bound(points.begin(), points.end(), seconds,
+                                       [](double s, const auto& point) { return s < point.first; });
+    return next == points.begin() ? std::nullopt : std::optional(std::prev(next)->second);
+}
+
 Result<Scenario> parseScenario(const QByteArray& json, const QString& name)
 {
     QJsonParseError error;

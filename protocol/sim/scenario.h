@@ -53,11 +53,20 @@ struct ScenarioEvent {
     std::vector<std::pair<QString, double>> faults; ///< names and values, times from here on
 };
 
+/// A recorded signal: from each moment (s since the start of the line, ascending) its raw number,
+/// until the next one; the last one stays. Before the first, and when empty: nothing is known.
+struct Trace {
+    std::vector<std::pair<double, std::uint16_t>> points;
+    [[nodiscard]] std::optional<std::uint16_t> at(double seconds) const;
+};
+
 struct Scenario {
     /// Later rows win where they overlap. Empty, and no stick: the default signals.
     std::vector<ChannelWave> channels;
     std::optional<StickPlan> stick; ///< for the channels without a row of their own
     std::vector<ScenarioEvent> events; ///< in order of time
+    std::array<Trace, kChannelCount> channelTraces; ///< where they know, they win over the rows
+    std::array<Trace, 2> currentTraces; ///< what the controller measures, whatever its motors do
 };
 
 /// The JSON of cli.md, "Scenario file". FileMalformed with the line (syntax) or the key.

@@ -67,6 +67,17 @@ void SimLog::collect(SimulatedLine& line)
                                     {u"brake"_s, change.output.brake}}});
             }
         }
+        m_eepromWrites.resize(line.deviceCount());
+        const int writes = device.eeprom().totalWrites();
+        if (m_file.isOpen() && writes != m_eepromWrites[i]) {
+            const Instant last = device.heard().empty() ? m_start : device.heard().back().time;
+            entries.push_back({last,
+                               {{u"device"_s, number},
+                                {u"event"_s, u"eeprom"_s},
+                                {u"writes"_s, writes - m_eepromWrites[i]},
+                                {u"total"_s, writes}}});
+        }
+        m_eepromWrites[i] = writes;
         device.clearHeard();
         device.clearOutputChanges();
     }

@@ -118,6 +118,15 @@ Result<void> applySpeed(SimOptions& options, const QString& text)
     return {};
 }
 
+Result<void> applyClock(SimOptions& options, const QString& text)
+{
+    if (text != "real"_L1 && text != "virtual"_L1) {
+        return wrong(u"clock: \"%1\" is not real or virtual"_s.arg(text));
+    }
+    options.jumpsInTime = text == "virtual"_L1;
+    return {};
+}
+
 /// THE table of the keys of a "sim:" address.
 struct UrlKey {
     QLatin1StringView name;
@@ -128,6 +137,7 @@ const std::array kUrlKeys{
            [](SimOptions& o, const QString& v) {
                return into(number(v, u"baud"_s, 1200, 115200), [&o](int x) { o.baud = x; });
            }},
+    UrlKey{"clock"_L1, &applyClock},
     UrlKey{"crc-polynomial"_L1,
            [](SimOptions& o, const QString& v) {
                return into(number(v, u"crc-polynomial"_s, 0x80, 0xFF),

@@ -68,6 +68,7 @@ struct SimOptions {
     QString stateFile; ///< EEPROM kept here; empty: forgotten at the end
     quint64 seed = 1; ///< faults, jitter and noise follow from it
     double speed = 1.0; ///< virtual seconds a real second (server only)
+    bool jumpsInTime = false; ///< in process only: waiting takes no time at all, for tests
     Quirks quirks;
     Faults faults;
     Scenario scenario;
@@ -88,7 +89,8 @@ struct SimOptions {
 
 /// "sim:", "sim:?mode=rc&seed=3&state=FILE": keys mode, model, firmware, seed, state, baud,
 /// error-detection, crc-polynomial, stop-bits, device (may repeat), pace, echo, mix (0 or 1),
-/// speed, scenario, and, repeatable, param=KEY=VALUE, quirk=NAME=VALUE, fault=NAME=VALUE.
+/// speed, clock (real or virtual), scenario, and, repeatable, param=KEY=VALUE, quirk=NAME=VALUE,
+/// fault=NAME=VALUE.
 [[nodiscard]] Result<SimOptions> simOptionsFromUrl(const QString& url);
 
 } // namespace trex::sim

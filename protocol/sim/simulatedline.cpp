@@ -145,15 +145,16 @@ void SimulatedLine::advance(Instant now)
 
 void SimulatedLine::deliver(const Incoming& byte)
 {
-    if (m_hangUp.contains(seconds(byte.end))) {
+    std::uint8_t value = byte.value;
+    if (m_hangUp.contains(seconds(byte.end)) || !crosses(value, byte.end)) {
         return;
     }
     for (std::size_t i = 0; i < m_devices.size(); ++i) {
         if (m_toDevice[i].isTransparent()) {
-            m_devices[i]->receive({byte.value}, byte.begin, byte.end);
+            m_devices[i]->receive({value}, byte.begin, byte.end);
         } else {
             m_sampled.clear();
-            m_toDevice[i].feed(byte.value, byte.begin, m_sampled);
+            m_toDevice[i].feed(value, byte.begin, m_sampled);
             hear(i);
         }
         collectReplies(i);
@@ -177,6 +178,24 @@ void SimulatedLine::hear(std::size_t device)
     for (const SampledByte& sampled : m_sampled) {
         m_devices[device]->receive(sampled.byte, sampled.begin, sampled.end);
     }
+}
+
+/// Counts a byte that crosses the wire then; false when it does not reach the other side.
+bool SimulatedLine::crosses(std::uint8_t& value, Instant at)
+{
+    switch (fateOf(m_faults, ++m_wireBytes, value)) {
+    case ByteFate::Passes:
+        return true;
+    case ByteFate::Dropped:
+        return false;
+    case ByteFate::HangsUp:
+        m_hangUp = {seconds(at), seconds(at) + m_faults.hangupFor.value_or(Faults::kNever)};
+        return false;
+    case ByteFate::Resets:
+        m_resetAt = at;
+        return false;
+    }
+    return true;
 }
 
 void SimulatedLine::collectReplies(std::size_t device)
@@ -205,8 +224,12 @@ void SimulatedLine::sendReply(std::size_t device, const Reply& reply)
     std::int16_t index = 0;
     m_sampled.clear();
     for (const char each : bytes) {
-        const auto value = static_cast<std::uint8_t>(each);
-        if (m_toHost[device].isTransparent()) {
+        auto value = static_cast<std::uint8_t>(each);
+        if (!crosses(value, at + byteTime)) {
+            if (m_resetAt) {
+                break; // cut off in the middle of the reply
+            }
+        } else if (m_toHost[device].isTransparent()) {
             addOutgoing({at + byteTime, value, static_cast<std::int8_t>(device), index++});
         } else {
             m_toHost[device].feed(value, at, m_sampled);

@@ -49,6 +49,9 @@ public:
     [[nodiscard]] bool isHungUp(Instant now) const;
     void powerCycle(Instant now); ///< all controllers
 
+    /// Bytes that have crossed the wire so far, in both directions: what the faults at a byte
+    /// count.
+    [[nodiscard]] qint64 wireBytes() const { return m_wireBytes; }
     [[nodiscard]] std::size_t deviceCount() const { return m_devices.size(); }
     [[nodiscard]] Device& device(std::size_t index = 0) { return *m_devices[index]; }
     [[nodiscard]] const Device& device(std::size_t index = 0) const { return *m_devices[index]; }
@@ -88,6 +91,7 @@ private:
     void deliver(const Incoming& byte);
     void settle(std::size_t device);
     void hear(std::size_t device);
+    [[nodiscard]] bool crosses(std::uint8_t& value, Instant at);
     void collectReplies(std::size_t device);
     void sendReply(std::size_t device, const Reply& reply);
     void addOutgoing(const Outgoing& byte);
@@ -112,6 +116,7 @@ private:
     FaultWindow m_silence;
     FaultWindow m_hangUp;
     std::optional<Instant> m_resetAt;
+    qint64 m_wireBytes = 0;
     Random m_random;
     std::optional<Error> m_stateError;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/configfile.h"
 
+#include "protocol/storage/configadapt.h"
 #include "protocol/storage/jsonplaces.h"
 
 #include <QCoreApplication>
@@ -9,6 +10,8 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QSaveFile>
+
+#include <algorithm>
 
 using namespace Qt::Literals::StringLiterals;
 
@@ -32,16 +35,16 @@ public:
 
     void add(const QString& key, const QString& json)
     {
-        m_members << u"%1: %2"_s.arg(jsonText(key), json);
+        m_members.push_back({key, u"%1: %2"_s.arg(jsonText(key), json)});
     }
     [[nodiscard]] QString onOneLine() const
     {
-        const auto members = all();
+        const auto members = texts();
         return members.isEmpty() ? u"{}"_s : u"{ "_s + members.join(u", "_s) + u" }"_s;
     }
     [[nodiscard]] QString onLines(int depth) const
     {
-        const auto members = all();
+        const auto members = texts();
         const QString indent(4 * depth, u' ');
         const QString separator = u",\n"_s + indent + u"    "_s;
         return members.isEmpty()
@@ -50,25 +53,58 @@ public:
     }
 
 private:
-    [[nodiscard]] QStringList all() const
+    struct Member {
+        QString key;
+        QString text;
+    };
+    /// Each unknown member goes behind the one that it stood behind; that may be unknown, too.
+    [[nodiscard]] QStringList texts() const
     {
-        QStringList members = m_members;
-        if (const auto found = m_unknown.find(m_path); found != m_unknown.end()) {
-            for (auto it = found->second.begin(); it != found->second.end(); ++it) {
-                members << u"%1: %2"_s.arg(jsonText(it.key()), jsonText(it.value()));
-            }
+        auto members = m_members;
+        auto waiting = unknownHere();
+        while (!waiting.empty()) {
+            const auto placed = std::ranges::find_if(waiting, [&](const auto& each) {
+                return each.second.isEmpty() || indexOf(members, each.second) >= 0;
+            });
+            const bool isLost = placed == waiting.end(); // its neighbour is no longer there
+            const auto next = isLost ? waiting.begin() : placed;
+            const auto place = isLost ? std::ssize(members) : indexOf(members, next->second) + 1;
+            members.insert(members.begin() + place, next->first);
+            waiting.erase(next);
         }
-        return members;
+        QStringList all;
+        for (const auto& member : members) {
+            all << member.text;
+        }
+        return all;
+    }
+    /// With the key that each stood behind.
+    [[nodiscard]] std::vector<std::pair<Member, QString>> unknownHere() const
+    {
+        std::vector<std::pair<Member, QString>> here;
+        for (auto it = m_unknown.lower_bound({m_path, {}});
+             it != m_unknown.end() && it->first.first == m_path; ++it) {
+            const QString& key = it->first.second;
+            here.push_back({{key, jsonText(key) + u": "_s + QString::fromUtf8(it->second.json)},
+                            it->second.after});
+        }
+        return here;
+    }
+    /// −1: not there, also for no key at all.
+    static std::ptrdiff_t indexOf(const std::vector<Member>& members, const QString& key)
+    {
+        const auto found = std::ranges::find(members, key, &Member::key);
+        return key.isEmpty() || found == members.end() ? -1 : found - members.begin();
     }
     QString m_path;
-    const std::map<QString, QJsonObject>& m_unknown;
-    QStringList m_members;
+    const std::map<std::pair<QString, QString>, UnknownMember>& m_unknown;
+    std::vector<Member> m_members;
 };
 
 /// "500", "2.4": as many decimals as the unit has, without zeros that say nothing.
-QString physicalText(const ParameterRow& row, int raw)
+QString physicalText(const ParameterRow& row, int raw, Model model)
 {
-    QString text = QString::number(physicalFromRaw(row, raw), 'f', row.decimals);
+    QString text = QString::number(physicalFromRaw(row, raw, model), 'f', row.decimals);
     while (text.contains(u'.') && (text.endsWith(u'0') || text.endsWith(u'.'))) {
         text.chop(1);
     }
@@ -85,7 +121,7 @@ QString parametersJson(const Configuration& configuration)
         }
         Members members(configuration, u"parameters."_s + keyText(*row));
         members.add(u"raw"_s, QString::number(raw));
-        members.add(u"physical"_s, physicalText(*row, raw));
+        members.add(u"physical"_s, physicalText(*row, raw, modelOf(configuration.signature)));
         members.add(u"unit"_s, jsonText(QString::fromLatin1(row->unit)));
         parameters.add(keyText(*row), members.onOneLine());
     }
@@ -117,6 +153,22 @@ QString calibrationsJson(const Configuration& configuration)
         sets.add(keyOf(input), members.onLines(2));
     }
     return sets.onLines(1);
+}
+
+/// With the comments of the file that it is about to replace, if that is a configuration.
+Configuration withCommentsOf(const Configuration& configuration, const QString& path)
+{
+    Configuration all = configuration;
+    const auto former =
+        QFileInfo(path).isFile() ? loadConfiguration(path) : fail(ErrorCode::FileUnreadable);
+    if (former) {
+        for (const auto& [place, member] : former->unknown) {
+            if (member.isComment()) {
+                all.unknown.try_emplace(place, member);
+            }
+        }
+    }
+    return all;
 }
 
 } // namespace
@@ -161,9 +213,18 @@ Result<Configuration> loadConfiguration(const QString& path)
     return parseConfiguration(json, path);
 }
 
+bool UnknownMember::isComment() const
+{
+    const auto value = QJsonDocument::fromJson('[' + json + ']').array().at(0);
+    const auto list = value.toArray();
+    return value.isString()
+        || (!list.isEmpty()
+            && std::ranges::all_of(list, [](const QJsonValue& each) { return each.isString(); }));
+}
+
 Result<void> saveConfiguration(const Configuration& configuration, const QString& path)
 {
-    const QByteArray json = writeConfiguration(configuration);
+    const QByteArray json = writeConfiguration(withCommentsOf(configuration, path));
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
         return fail(ErrorCode::FileUnwritable, u"%1 (%2)"_s.arg(path, file.errorString()));
@@ -173,14 +234,18 @@ Result<void> saveConfiguration(const Configuration& configuration, const QString
 
 QString remarkOn(const Configuration& configuration)
 {
-    if (configuration.version <= Configuration::kVersion) {
-        return {};
-    }
+    const bool isNewer = configuration.version > Configuration::kVersion;
     QStringList keys;
-    for (const auto& [path, object] : configuration.unknown) {
-        for (const auto& key : object.keys()) {
-            keys << tameText(path.isEmpty() ? key : path + u'.' + key);
+    for (const auto& [place, member] : configuration.unknown) {
+        if (isNewer || !member.isComment()) {
+            keys << tameText(pathOf(place.first, place.second));
         }
+    }
+    if (!isNewer) {
+        return keys.isEmpty() ? QString()
+                              : QCoreApplication::translate(
+                                    "ConfigFile", "Not understood and left alone in the file: %1.")
+                                    .arg(keys.join(u", "_s));
     }
     if (keys.isEmpty()) {
         return QCoreApplication::translate("ConfigFile",

@@ -6,13 +6,21 @@
 #include "protocol/result.h"
 
 #include <QDateTime>
-#include <QJsonObject>
 
 #include <map>
 
 namespace trex {
 
 using ParameterValues = std::map<std::uint8_t, int>; ///< raw, by parameter number
+
+/// A member of the file that is none of ours: a comment, or what a newer program wrote.
+struct UnknownMember {
+    QString after; ///< the key before it in its object; empty: it is the first
+    QByteArray json; ///< its value, as it stands in the file
+    bool operator==(const UnknownMember&) const = default;
+    /// JSON has no comments: a text (or a list of texts) under a key of one's own is one.
+    [[nodiscard]] bool isComment() const;
+};
 
 /// A controller's settings as a configuration file holds them: some or all parameters and
 /// calibrations. Calibrations are by input set and channel (1 to 5).
@@ -24,9 +32,9 @@ struct Configuration {
     std::optional<int> deviceNumber;
     ParameterValues parameters;
     std::map<InputKind, std::map<int, Calibration>> calibrations;
-    /// What a newer version's file holds beyond that, by the path of its object; written back as
-    /// is.
-    std::map<QString, QJsonObject> unknown;
+    /// What the file holds beyond that, by the path of its object and its key; written back where
+    /// it stood, byte for byte.
+    std::map<std::pair<QString, QString>, UnknownMember> unknown;
     bool operator==(const Configuration&) const = default;
 };
 
@@ -42,12 +50,13 @@ inline constexpr qint64 kLargestConfigurationBytes = 1024 * 1024;
 
 /// Errors: FileUnreadable (also for what is no ordinary file), FileMalformed.
 [[nodiscard]] Result<Configuration> loadConfiguration(const QString& path);
-/// Whole or not at all: a file that was there stays as it was until the new one is complete.
-/// Errors: FileUnwritable.
+/// Whole or not at all: a file that was there stays as it was until the new one is complete. The
+/// comments of a configuration that it replaces are kept. Errors: FileUnwritable.
 [[nodiscard]] Result<void> saveConfiguration(const Configuration& configuration,
                                              const QString& path);
 
-/// What to tell of a file written by a newer program; empty when there is nothing to tell.
+/// What to tell of a file written by a newer program, or with members that are neither ours nor
+/// comments; empty when there is nothing to tell.
 [[nodiscard]] QString remarkOn(const Configuration& configuration);
 
 /// "serial-timeout": the row's key as a QString.

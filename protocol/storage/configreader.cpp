@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/codec/replies.h"
 #include "protocol/errortext.h"
+#include "protocol/storage/configadapt.h"
 #include "protocol/storage/configfile.h"
 #include "protocol/storage/jsonplaces.h"
 #include "protocol/storage/jsonreader.h"
 
 #include <QCoreApplication>
-#include <QJsonDocument>
 #include <QRegularExpression>
 
 #include <cmath>
@@ -28,8 +28,14 @@ public:
     Result<Configuration> read(const QJsonObject& root);
 
 private:
-    /// Keys that are not in `known` are refused in version 1, and kept from a newer program.
-    Result<void> onlyKnown(const Node& node, const QStringList& known);
+    /// Whether other keys than ours may stand for more than a comment.
+    enum class Others : std::uint8_t { MayBeAnything, AreComments };
+    /// Keeps keys that are not in `known`: whatever they hold in a file of a newer program, else
+    /// comments. What looks like a mistyped key of ours is refused.
+    Result<void> keepOthers(const Node& node, const QStringList& known, Others others);
+    [[nodiscard]] Result<void> checkOther(const Node& node, const QString& key,
+                                          const UnknownMember& member, const QStringList& known,
+                                          Others others) const;
 
     Result<void> readHead(const Node& root);
     Result<void> readSaved(const Node& root);
@@ -44,16 +50,36 @@ private:
     Configuration m_configuration;
 };
 
-Result<void> Reader::onlyKnown(const Node& node, const QStringList& known)
+Result<void> Reader::keepOthers(const Node& node, const QStringList& known, Others others)
 {
-    for (auto it = node.object.begin(); it != node.object.end(); ++it) {
-        if (known.contains(it.key())) {
+    for (const QString& key : node.object.keys()) {
+        if (known.contains(key)) {
             continue;
         }
-        if (m_configuration.version <= Configuration::kVersion) {
-            return wrong(node.at(it.key()), ConfigFile::tr("is not known in a file of version 1"));
+        const auto place = places().keys.find(node.at(key));
+        if (place == places().keys.end()) {
+            continue; // every key of ours has its place
         }
-        m_configuration.unknown[node.path].insert(it.key(), it.value());
+        const UnknownMember member{place->second.after, place->second.value};
+        if (m_configuration.version <= Configuration::kVersion) {
+            if (auto checked = checkOther(node, key, member, known, others); !checked) {
+                return checked;
+            }
+        }
+        m_configuration.unknown[{node.path, key}] = member;
+    }
+    return {};
+}
+
+Result<void> Reader::checkOther(const Node& node, const QString& key, const UnknownMember& member,
+                                const QStringList& known, Others others) const
+{
+    if (const auto meant = nearestKey(key, known)) {
+        return wrong(node.at(key), ConfigFile::tr("is not known; is %1 meant?").arg(*meant));
+    }
+    if (others == Others::AreComments && !member.isComment()) {
+        return wrong(node.at(key),
+                     ConfigFile::tr("is not known here, and no comment, which would be a text"));
     }
     return {};
 }
@@ -94,9 +120,10 @@ Result<void> Reader::readHead(const Node& root)
     if (!root.object.contains("parameters"_L1) && !root.object.contains("calibration"_L1)) {
         return wrong(u"parameters"_s, ConfigFile::tr("is missing, and so is calibration"));
     }
-    return onlyKnown(
+    return keepOthers(
         root,
-        {u"format"_s, u"version"_s, u"saved"_s, u"device"_s, u"parameters"_s, u"calibration"_s});
+        {u"format"_s, u"version"_s, u"saved"_s, u"device"_s, u"parameters"_s, u"calibration"_s},
+        Others::MayBeAnything);
 }
 
 Result<void> Reader::readSaved(const Node& root)
@@ -148,7 +175,7 @@ Result<void> Reader::readDevice(const Node& root)
         }
         m_configuration.deviceNumber = *number;
     }
-    return onlyKnown(*device, {u"signature"_s, u"number"_s});
+    return keepOthers(*device, {u"signature"_s, u"number"_s}, Others::MayBeAnything);
 }
 
 Result<void> Reader::readParameters(const Node& root)
@@ -171,7 +198,7 @@ Result<void> Reader::readParameters(const Node& root)
             return read;
         }
     }
-    return onlyKnown(*parameters, known);
+    return keepOthers(*parameters, known, Others::AreComments);
 }
 
 Result<void> Reader::readParameter(const Node& parameters, const QString& key,
@@ -183,6 +210,11 @@ Result<void> Reader::readParameter(const Node& parameters, const QString& key,
     const auto node = child(parameters, key);
     if (!node) {
         return tl::make_unexpected(node.error());
+    }
+    // First, since a slip of a key leaves the key itself missing.
+    if (auto kept = keepOthers(*node, {u"raw"_s, u"physical"_s, u"unit"_s}, Others::MayBeAnything);
+        !kept) {
+        return kept;
     }
     const auto raw = integer(*node, u"raw"_s, row.minimum, row.maximum);
     if (!raw) {
@@ -196,7 +228,7 @@ Result<void> Reader::readParameter(const Node& parameters, const QString& key,
         return checked;
     }
     m_configuration.parameters[row.number] = *raw;
-    return onlyKnown(*node, {u"raw"_s, u"physical"_s, u"unit"_s});
+    return {};
 }
 
 Result<void> Reader::checkPhysical(const Node& node, const ParameterRow& row, int raw) const
@@ -218,9 +250,13 @@ Result<void> Reader::checkPhysical(const Node& node, const ParameterRow& row, in
     if (!physical.isDouble()) {
         return wrongType(node.at(u"physical"_s), ConfigFile::tr("a number"), physical);
     }
-    const double expected = physicalFromRaw(row, raw);
+    const double expected = physicalFromRaw(row, raw, modelOf(m_configuration.signature));
     const double tolerance = 0.5 * std::pow(10.0, -row.decimals);
-    if (!(std::abs(physical.toDouble() - expected) < tolerance)) {
+    // Files of a TReX were written with the TReX Jr's scale before its own was used.
+    const auto differs = [&](double value) {
+        return !(std::abs(physical.toDouble() - value) < tolerance);
+    };
+    if (differs(expected) && differs(physicalFromRaw(row, raw, Model::TrexJr))) {
         return wrong(node.at(u"physical"_s),
                      ConfigFile::tr("%1 disagrees with raw %2, which is %3")
                          .arg(QString::number(physical.toDouble()), QString::number(raw),
@@ -249,7 +285,7 @@ Result<void> Reader::readCalibrations(const Node& root)
             return read;
         }
     }
-    return onlyKnown(*calibrations, known);
+    return keepOthers(*calibrations, known, Others::AreComments);
 }
 
 Result<void> Reader::readSet(const Node& calibrations, InputKind input)
@@ -271,7 +307,7 @@ Result<void> Reader::readSet(const Node& calibrations, InputKind input)
         }
         m_configuration.calibrations[input][channel] = *calibration;
     }
-    return onlyKnown(*set, known);
+    return keepOthers(*set, known, Others::AreComments);
 }
 
 Result<Calibration> Reader::readCalibration(const Node& set, const QString& channel)
@@ -287,12 +323,17 @@ Result<Calibration> Reader::readCalibration(const Node& set, const QString& chan
                                                           {u"deadband"_s, &calibration.deadband}}};
     QStringList known;
     for (const auto& [key, target] : fields) {
+        known << key;
+    }
+    if (auto kept = keepOthers(*node, known, Others::AreComments); !kept) {
+        return tl::make_unexpected(kept.error());
+    }
+    for (const auto& [key, target] : fields) {
         const auto number = integer(*node, key, 0, kLargestCalibrationValue);
         if (!number) {
             return tl::make_unexpected(number.error());
         }
         *target = *number;
-        known << key;
     }
     // Conformance C-36; the sentence names the first of the two that are out of order.
     if (calibration.minimum > calibration.neutral) {
@@ -311,39 +352,21 @@ Result<Calibration> Reader::readCalibration(const Node& set, const QString& chan
         return wrong(node->at(u"maximum"_s),
                      ConfigFile::tr("%1 equals minimum").arg(calibration.maximum));
     }
-    if (auto checked = onlyKnown(*node, known); !checked) {
-        return tl::make_unexpected(checked.error());
-    }
     return calibration;
 }
 
 } // namespace
 
-Result<Configuration> parseConfiguration(const QByteArray& json, const QString& fileName)
+Result<Configuration> parseConfiguration(const QByteArray& bytes, const QString& fileName)
 {
-    if (json.size() > kLargestConfigurationBytes) {
+    if (bytes.size() > kLargestConfigurationBytes) {
         return fail(ErrorCode::FileMalformed,
                     u"%1: %2"_s.arg(
                         fileName, ConfigFile::tr("larger than 1 MiB, which no configuration is")));
     }
-    if (json.trimmed().isEmpty()) {
-        return fail(
-            ErrorCode::FileMalformed,
-            u"%1, %2: %3"_s.arg(fileName, placeText(json, 0), ConfigFile::tr("the file is empty")));
-    }
-    QJsonParseError problem;
-    const auto document = QJsonDocument::fromJson(json, &problem);
-    if (problem.error != QJsonParseError::NoError) {
-        return fail(
-            ErrorCode::FileMalformed,
-            u"%1, %2: %3"_s.arg(fileName, placeText(json, problem.offset), problem.errorString()));
-    }
-    if (!document.isObject()) {
-        return fail(ErrorCode::FileMalformed,
-                    u"%1, %2: %3"_s.arg(fileName, placeText(json, 0),
-                                        ConfigFile::tr("must be an object in braces")));
-    }
-    return Reader(json, fileName).read(document.object());
+    const auto parsed = parseJson(bytes, fileName);
+    return parsed ? Reader(parsed->text, fileName).read(parsed->object)
+                  : tl::make_unexpected(parsed.error());
 }
 
 } // namespace trex

@@ -7,10 +7,15 @@
 #include <QSet>
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace trex {
 namespace {
+
+// Our deepest key is calibration.rc.1.minimum. Paths of what lies deeper could fill the memory.
+constexpr std::size_t kDeepest = 6;
 
 struct Level {
     bool isObject = false;
@@ -18,6 +23,8 @@ struct Level {
     QString path;
     QString key; ///< the latest key, whose value comes next
     QSet<QString> keys{};
+    JsonPlace* place = nullptr; ///< of the latest key, when it is kept
+    qsizetype valueStart = 0;
 };
 
 /// The index after the closing quote of the string that opens at `start`.
@@ -34,11 +41,6 @@ qsizetype stringEnd(const QByteArray& json, qsizetype start)
 QString decoded(const QByteArray& quoted)
 {
     return QJsonDocument::fromJson('[' + quoted + ']').array().at(0).toString();
-}
-
-QString joined(const Level& level)
-{
-    return level.path.isEmpty() ? level.key : level.path + QLatin1Char('.') + level.key;
 }
 
 class Scanner {
@@ -68,11 +70,18 @@ private:
         case '}':
         case ']':
             if (!m_levels.empty()) {
+                endValue(at);
                 m_levels.pop_back();
+            }
+            break;
+        case ':':
+            if (!m_levels.empty()) {
+                m_levels.back().valueStart = at + 1;
             }
             break;
         case ',':
             if (!m_levels.empty()) {
+                endValue(at);
                 m_levels.back().expectsKey = m_levels.back().isObject;
             }
             break;
@@ -86,8 +95,19 @@ private:
 
     void enter(bool isObject)
     {
-        const QString path = m_levels.empty() ? QString() : joined(m_levels.back());
+        const bool isDeep = m_levels.size() >= kDeepest;
+        const QString path = m_levels.empty() || isDeep
+            ? QString()
+            : pathOf(m_levels.back().path, m_levels.back().key);
         m_levels.push_back({.isObject = isObject, .expectsKey = isObject, .path = path, .key = {}});
+    }
+
+    void endValue(qsizetype at)
+    {
+        auto& level = m_levels.back();
+        if (JsonPlace* place = std::exchange(level.place, nullptr)) {
+            place->value = m_json.mid(level.valueStart, at - level.valueStart).trimmed();
+        }
     }
 
     qsizetype text(qsizetype at)
@@ -98,14 +118,17 @@ private:
         }
         auto& level = m_levels.back();
         level.expectsKey = false;
-        level.key = decoded(m_json.mid(at, end - at));
-        const QString path = joined(level);
+        const QString before = std::exchange(level.key, decoded(m_json.mid(at, end - at)));
+        const QString path = pathOf(level.path, level.key);
         if (level.keys.contains(level.key) && !m_places.duplicate) {
             m_places.duplicate = path;
             m_places.duplicateLine = m_line;
         }
         level.keys.insert(level.key);
-        m_places.lines.emplace(path, m_line);
+        if (m_levels.size() <= kDeepest) {
+            level.place = &m_places.keys[path];
+            *level.place = {m_line, before, {}};
+        }
         return end;
     }
 
@@ -115,7 +138,48 @@ private:
     int m_line = 1;
 };
 
+/// Levenshtein's: letters added, left out or changed.
+int distance(const QString& a, const QString& b)
+{
+    std::vector<int> row(static_cast<std::size_t>(b.size()) + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (const QChar letter : a) {
+        int diagonal = row.front()++;
+        for (std::size_t i = 1; i < row.size(); ++i) {
+            const int same = diagonal + (letter == b[static_cast<qsizetype>(i) - 1] ? 0 : 1);
+            diagonal = row[i];
+            row[i] = std::min({same, row[i] + 1, row[i - 1] + 1});
+        }
+    }
+    return row.back();
+}
+
 } // namespace
+
+std::optional<QString> nearestKey(const QString& key, const QStringList& known)
+{
+    constexpr qsizetype kLongest = 40;
+    constexpr qsizetype kShort = 6; // one letter off a short word is another word soon enough
+    const QString lower = key.left(kLongest).toLower();
+    std::optional<QString> nearest;
+    int least = std::numeric_limits<int>::max();
+    for (const QString& each : known) {
+        const int most = each.size() < 3 ? 0 : each.size() < kShort ? 1 : 2;
+        const int letters = distance(lower, each);
+        if (letters <= most && letters < least) {
+            nearest = each;
+            least = letters;
+        }
+    }
+    return nearest;
+}
+
+QString pathOf(const QString& object, const QString& key)
+{
+    QString escaped = key;
+    escaped.replace(u'\\', QLatin1StringView("\\\\")).replace(u'.', QLatin1StringView("\\."));
+    return object.isEmpty() ? escaped : object + QLatin1Char('.') + escaped;
+}
 
 JsonPlaces findPlaces(const QByteArray& json)
 {

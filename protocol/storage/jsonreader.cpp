@@ -2,7 +2,9 @@
 #include "protocol/storage/jsonreader.h"
 
 #include <QCoreApplication>
+#include <QJsonDocument>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::Literals::StringLiterals;
@@ -35,7 +37,57 @@ QString typeText(const QJsonValue& value)
     return ConfigFile::tr("nothing");
 }
 
+constexpr QByteArrayView kByteOrderMark("\xEF\xBB\xBF");
+
+/// Empty when it can be UTF-8.
+QString encodingProblem(const QByteArray& json)
+{
+    if (json.startsWith("\xFF\xFE") || json.startsWith("\xFE\xFF")) {
+        return ConfigFile::tr("the file is UTF-16; save it as UTF-8");
+    }
+    return json.contains('\0') ? ConfigFile::tr("there is a NUL byte, which no text has")
+                               : QString();
+}
+
+/// What the JSON parser says, and more where a person's habit is plain to see.
+QString syntaxText(const QJsonParseError& problem, const QByteArray& json)
+{
+    const auto here =
+        QByteArrayView(json).sliced(std::clamp<qsizetype>(problem.offset - 1, 0, json.size()));
+    const auto text = here.first(std::min<qsizetype>(here.size(), 3)).trimmed();
+    if (text.startsWith('/') || text.startsWith('#')) {
+        return ConfigFile::tr("JSON has no comments; write a text under a key of its own, such as "
+                              "\"comment\"");
+    }
+    return problem.errorString();
+}
+
 } // namespace
+
+Result<ParsedJson> parseJson(const QByteArray& bytes, const QString& fileName)
+{
+    // Windows editors begin UTF-8 with a byte order mark.
+    const QByteArray json = bytes.startsWith(kByteOrderMark) ? bytes.sliced(3) : bytes;
+    const auto wrong = [&](qsizetype offset, const QString& reason) {
+        return fail(ErrorCode::FileMalformed,
+                    u"%1, %2: %3"_s.arg(fileName, placeText(json, offset), reason));
+    };
+    if (const QString problem = encodingProblem(json); !problem.isEmpty()) {
+        return wrong(json.indexOf('\0'), problem);
+    }
+    if (json.trimmed().isEmpty()) {
+        return wrong(0, ConfigFile::tr("the file is empty"));
+    }
+    QJsonParseError problem;
+    const auto document = QJsonDocument::fromJson(json, &problem);
+    if (problem.error != QJsonParseError::NoError) {
+        return wrong(problem.offset, syntaxText(problem, json));
+    }
+    if (!document.isObject()) {
+        return wrong(0, ConfigFile::tr("must be an object in braces"));
+    }
+    return ParsedJson{json, document.object()};
+}
 
 JsonReader::JsonReader(const QByteArray& json, QString fileName)
     : m_places(findPlaces(json)), m_fileName(std::move(fileName))
@@ -44,15 +96,20 @@ JsonReader::JsonReader(const QByteArray& json, QString fileName)
 
 QString JsonReader::Node::at(const QString& key) const
 {
-    return path.isEmpty() ? key : path + u'.' + key;
+    return pathOf(path, key);
 }
 
 tl::unexpected<Error> JsonReader::wrong(const QString& path, const QString& reason) const
 {
-    const auto line = m_places.lines.find(path);
-    const QString place = line == m_places.lines.end()
+    auto found = m_places.keys.find(path);
+    // What is missing has no line of its own: that of the object which lacks it.
+    for (QString above = path; found == m_places.keys.end() && above.contains(u'.');) {
+        above.truncate(above.lastIndexOf(u'.'));
+        found = m_places.keys.find(above);
+    }
+    const QString place = found == m_places.keys.end()
         ? tameText(path)
-        : ConfigFile::tr("line %1, %2").arg(QString::number(line->second), tameText(path));
+        : ConfigFile::tr("line %1, %2").arg(QString::number(found->second.line), tameText(path));
     return fail(ErrorCode::FileMalformed, u"%1, %2: %3"_s.arg(m_fileName, place, reason));
 }
 

@@ -8,6 +8,13 @@
 
 namespace trex {
 
+struct ParsedJson {
+    QByteArray text; ///< without a byte order mark
+    QJsonObject object;
+};
+/// A whole JSON file. FileMalformed: no UTF-8, no JSON, no object; with line, column and reason.
+[[nodiscard]] Result<ParsedJson> parseJson(const QByteArray& bytes, const QString& fileName);
+
 /// Takes values out of a parsed JSON file; each error is FileMalformed and says file, line, key and
 /// reason. Pure.
 class JsonReader {

@@ -3,12 +3,16 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 using namespace Qt::Literals::StringLiterals;
 
 namespace trex {
 namespace {
 
 constexpr double kRatedHertzJr = 10'000.0; // facts.md 2.1: the TReX Jr's driver is rated for 10 kHz
+constexpr int kLargestReading = 0xFF; // a motor current is one byte (command documentation, 0x8D)
+constexpr int kLongestQueryBytes = 4; // a Pololu packet's query of one data byte (conformance C-03)
 constexpr auto kDeviceNumber = parameterRow("device-number").number;
 constexpr auto kRequired = parameterRow("required-channels").number;
 constexpr auto kIgnored = parameterRow("ignored-channels").number;
@@ -53,13 +57,32 @@ private:
     std::vector<Advice> m_advice;
 };
 
-void adviseOnSafety(Adviser& adviser)
+void adviseOnTimeout(Adviser& adviser, const LineSettings& line)
 {
-    if (adviser.wanted(kTimeout) == 0) {
+    using std::chrono::milliseconds;
+    const auto raw = adviser.wanted(kTimeout);
+    if (raw == 0) {
         adviser.onValue(
             kTimeout,
             Sentences::tr("With the serial timeout off, motors keep running if the line is lost."));
+        return;
     }
+    // Between two of our packets there may be a reply that does not come (conformance C-10).
+    const auto silence = line.timeout + line.timeOf(kLongestQueryBytes);
+    const auto allowed =
+        milliseconds(std::lround(physicalFromRaw(parameterRow("serial-timeout"), raw.value_or(0))));
+    if (raw && allowed <= silence) {
+        adviser.onValue(kTimeout,
+                        Sentences::tr("%1 ms are no longer than this program waits for a reply "
+                                      "(%2 ms): one lost reply may stop the motors.")
+                            .arg(allowed.count())
+                            .arg(std::chrono::ceil<milliseconds>(silence).count()));
+    }
+}
+
+void adviseOnSafety(Adviser& adviser, const LineSettings& line)
+{
+    adviseOnTimeout(adviser, line);
     const int both = adviser.wanted(kRequired).value_or(0) & adviser.wanted(kIgnored).value_or(0);
     if (both != 0) {
         adviser.onValue(kRequired,
@@ -93,10 +116,63 @@ void adviseOnPwm(Adviser& adviser, Model model)
     }
 }
 
-void adviseOnLine(Adviser& adviser, const LineSettings& line)
+/// Current limits act in the 10 ms update, on accelerate commands only (facts.md 2.2).
+void adviseOnLimits(Adviser& adviser, Model model)
+{
+    struct Motor {
+        int number;
+        const ParameterRow& limit;
+        const ParameterRow& gain;
+        const ParameterRow& acceleration;
+    };
+    const std::array motors{
+        Motor{1, parameterRow("motor1-current-limit"), parameterRow("motor1-current-limit-p"),
+              parameterRow("motor1-acceleration")},
+        Motor{2, parameterRow("motor2-current-limit"), parameterRow("motor2-current-limit-p"),
+              parameterRow("motor2-acceleration")}};
+    for (const auto& motor : motors) {
+        const int limit = adviser.wanted(motor.limit.number).value_or(0);
+        if (limit == 0) {
+            continue; // probably off
+        }
+        const auto say = [&](const QString& text) { adviser.onValue(motor.limit.number, text); };
+        const QString name = QString::number(motor.number);
+        if (2 * limit + 1 >= kLargestReading) { // facts.md 2, 0x13: value = 8-bit current / 2
+            const double amperes = kLargestReading * amperesPerCount(model);
+            say(Sentences::tr("The current reading of motor %1 is one byte and ends at %2 A: it "
+                              "cannot exceed this limit, which so never acts.")
+                    .arg(name, QString::number(amperes, 'f', 2)));
+        }
+        if (adviser.wanted(kMotorMode) == 1) {
+            say(Sentences::tr("In joint mode no current is measured: the limit of motor %1 cannot "
+                              "act.")
+                    .arg(name));
+        }
+        if (adviser.wanted(motor.acceleration.number) == 0) {
+            say(Sentences::tr("Motor %1 has unlimited acceleration, so that every 10 ms the speed "
+                              "may jump back up before the limit holds it (inferred). Give it an "
+                              "acceleration; the limit acts on accelerate commands only.")
+                    .arg(name));
+        }
+        if (adviser.wanted(motor.gain.number) == 0) {
+            say(Sentences::tr("With gain 0, motor %1 may not be slowed at all when it is over its "
+                              "limit (a guess: the vendor does not state the law).")
+                    .arg(name));
+        }
+    }
+}
+
+void adviseOnDeviceNumber(Adviser& adviser, const LineSettings& line,
+                          const std::set<int>& numbersInUse)
 {
     if (adviser.changes(kDeviceNumber)) {
         const int number = *adviser.wanted(kDeviceNumber);
+        if (numbersInUse.contains(number)) {
+            adviser.onChange(kDeviceNumber,
+                             Sentences::tr("Another controller on this line has device number %1 "
+                                           "already: both would answer at once.")
+                                 .arg(number));
+        }
         adviser.onChange(
             kDeviceNumber,
             line.form == PacketForm::Pololu
@@ -107,14 +183,41 @@ void adviseOnLine(Adviser& adviser, const LineSettings& line)
                                 "then on; compact packets always do.")
                       .arg(number));
     }
-    const auto polynomial = adviser.wanted(kPolynomial);
-    if (adviser.changes(kPolynomial)) {
-        adviser.onChange(
-            kPolynomial,
-            Sentences::tr("With CRC-7, connect with polynomial %1 after the power cycle, or "
-                          "nothing answers.")
-                .arg(parameterText(parameterRow("crc7-polynomial"), *polynomial)));
+}
+
+/// The polynomial has eight bits, the parameter seven: the top bit is always 1 and not stored
+/// (facts.md 2, 0x7D).
+void adviseOnPolynomial(Adviser& adviser)
+{
+    const auto raw = adviser.wanted(kPolynomial);
+    if (!raw || !accepts(parameterRow("crc7-polynomial"), *raw)) {
+        return;
     }
+    const QString full = parameterText(parameterRow("crc7-polynomial"), *raw);
+    const auto uart = UartSettings::fromRaw(adviser.wanted(kUart).value_or(-1));
+    const bool isOn = uart && uart->errorDetection == ErrorDetection::Crc7;
+    if (isOn && *raw == 0) { // a multiple of x⁷ leaves no remainder
+        adviser.onValue(kPolynomial,
+                        Sentences::tr("With polynomial 0x80 every check byte is 0: CRC-7 would "
+                                      "find no error at all."));
+    } else if (isOn && *raw % 2 == 0) { // a polynomial without its lowest bit is a multiple of x
+        adviser.onValue(kPolynomial,
+                        Sentences::tr("The lowest bit of polynomial %1 is 0, so that the lowest "
+                                      "bit of every check byte is too: CRC-7 finds fewer errors.")
+                            .arg(full));
+    }
+    if (adviser.changes(kPolynomial)) {
+        adviser.onChange(kPolynomial,
+                         Sentences::tr("Stored is 0x%1, used is 0x%2: the top bit is always 1 and "
+                                       "not stored. With CRC-7, connect with polynomial 0x%2 "
+                                       "after the power cycle, or nothing answers.")
+                             .arg(QString::number(*raw, 16).toUpper().rightJustified(2, u'0'))
+                             .arg(full.mid(2)));
+    }
+}
+
+void adviseOnUart(Adviser& adviser)
+{
     if (adviser.changes(kUart)) {
         adviser.onChange(
             kUart,
@@ -147,12 +250,16 @@ void adviseOnModes(Adviser& adviser)
 } // namespace
 
 std::vector<Advice> adviceOn(const ParameterValues& present, const ParameterValues& wanted,
-                             const LineSettings& line, Model model)
+                             const LineSettings& line, Model model,
+                             const std::set<int>& numbersInUse)
 {
     Adviser adviser(present, wanted);
-    adviseOnSafety(adviser);
+    adviseOnSafety(adviser, line);
     adviseOnPwm(adviser, model);
-    adviseOnLine(adviser, line);
+    adviseOnLimits(adviser, model);
+    adviseOnDeviceNumber(adviser, line, numbersInUse);
+    adviseOnPolynomial(adviser);
+    adviseOnUart(adviser);
     adviseOnModes(adviser);
     return adviser.all();
 }

@@ -4,6 +4,7 @@
 #include "protocol/codec/linesettings.h"
 #include "protocol/storage/configfile.h"
 
+#include <set>
 #include <vector>
 
 namespace trex {
@@ -17,9 +18,10 @@ struct Advice {
 };
 
 /// Looks at the parameters together: `wanted` as they would be after writing, `present` as they are
-/// in the controller (either may lack some). `line` is the line in use.
+/// in the controller (either may lack some). `line` is the line in use, `numbersInUse` the device
+/// numbers that are known to answer on it.
 [[nodiscard]] std::vector<Advice> adviceOn(const ParameterValues& present,
                                            const ParameterValues& wanted, const LineSettings& line,
-                                           Model model);
+                                           Model model, const std::set<int>& numbersInUse = {});
 
 } // namespace trex

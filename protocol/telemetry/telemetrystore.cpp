@@ -60,6 +60,13 @@ void TelemetryStore::markGap(Instant)
     ++m_revision;
 }
 
+void TelemetryStore::markGap(PollId poll)
+{
+    m_axes.at(std::size_t(poll))->markGap();
+    m_latest.at(std::size_t(poll)).reset();
+    ++m_revision;
+}
+
 void TelemetryStore::clear()
 {
     for (const auto& axis : m_axes) {

@@ -21,6 +21,7 @@ public:
 
     void append(const PollSample& sample);
     void markGap(Instant time); ///< the link was lost: series must not be bridged across it
+    void markGap(PollId poll); ///< the same for what one poll fills
     void clear();
     [[nodiscard]] const TimeSeries& series(int streamIndex) const; ///< index into streams()
     [[nodiscard]] const TimeSeries& series(std::string_view streamKey) const; ///< a row's key

@@ -12,21 +12,20 @@ using namespace Qt::Literals::StringLiterals;
 
 // The plant runs on, and a hang-up is noticed, also while nobody polls.
 constexpr auto kIdleStep = 50ms;
-
-Instant clockNow()
-{
-    return std::chrono::steady_clock::now();
-}
+constexpr auto kShortestWait = 20us;
 
 } // namespace
 
 SimTransport::SimTransport(const sim::SimOptions& options, QObject* parent)
-    : Transport(parent), m_line(options, clockNow()), m_timer(this)
+    : Transport(parent)
+    , m_virtualNow(options.jumpsInTime ? std::optional(Transport::now()) : std::nullopt)
+    , m_line(options, now())
+    , m_timer(this)
 {
     m_timer.setSingleShot(true);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, [this] {
-        const Instant now = clockNow();
+        const Instant now = this->now();
         take(now);
         schedule(now);
     });
@@ -34,7 +33,7 @@ SimTransport::SimTransport(const sim::SimOptions& options, QObject* parent)
 
 void SimTransport::open(const LineSettings& settings)
 {
-    const Instant now = clockNow();
+    const Instant now = this->now();
     if (m_line.isHungUp(now)) {
         emit failed({ErrorCode::PortMissing, u"sim:"_s});
         return;
@@ -54,14 +53,14 @@ void SimTransport::close()
 {
     m_isOpen = false;
     m_timer.stop();
-    m_line.advance(clockNow());
+    m_line.advance(now());
     static_cast<void>(m_line.saveState()); // a failure is told by the next opening
 }
 
 void SimTransport::write(const QByteArray& bytes)
 {
     if (m_isOpen) {
-        const Instant now = clockNow();
+        const Instant now = this->now();
         m_line.write(bytes, now);
         schedule(now);
     }
@@ -69,9 +68,9 @@ void SimTransport::write(const QByteArray& bytes)
 
 bool SimTransport::waitForBytes(Duration longest)
 {
-    const Instant end = clockNow() + longest;
+    const Instant end = now() + longest;
     while (m_isOpen) {
-        const Instant now = clockNow();
+        const Instant now = this->now();
         if (take(now)) {
             return m_isOpen;
         }
@@ -79,15 +78,28 @@ bool SimTransport::waitForBytes(Duration longest)
             break;
         }
         const auto next = m_line.nextByteAt();
-        const Instant until = next && *next < end ? std::max(*next, now + 20us) : end;
-        std::this_thread::sleep_until(std::min(until, now + kIdleStep));
+        const Instant until = next && *next < end ? std::max(*next, now + kShortestWait) : end;
+        const Instant then = std::min(until, now + kIdleStep);
+        if (m_virtualNow) {
+            m_virtualNow = then;
+        } else {
+            std::this_thread::sleep_until(then);
+        }
+    }
+    if (m_virtualNow) {
+        m_virtualNow = std::max(*m_virtualNow, end); // also while the port is gone
     }
     return false;
 }
 
+Instant SimTransport::now() const
+{
+    return m_virtualNow.value_or(Transport::now());
+}
+
 bool SimTransport::powerCycle()
 {
-    m_line.powerCycle(clockNow());
+    m_line.powerCycle(now());
     return true;
 }
 
@@ -109,7 +121,7 @@ bool SimTransport::take(Instant now)
 
 void SimTransport::schedule(Instant now)
 {
-    if (!m_isOpen) {
+    if (!m_isOpen || m_virtualNow) {
         return;
     }
     Duration wait = kIdleStep;

@@ -10,8 +10,8 @@
 
 namespace trex {
 
-/// The simulated controller in process (`sim:`), in real time, paced like a wire. It keeps its
-/// power while the line is closed; powerCycle() switches it off and on.
+/// The simulated controller in process (`sim:`), in real time (or jumping from byte to byte), paced
+/// like a wire. It keeps its power while the line is closed; powerCycle() switches it off and on.
 class SimTransport : public Transport {
     Q_OBJECT
 
@@ -22,12 +22,15 @@ public:
     void close() override;
     void write(const QByteArray& bytes) override;
     bool waitForBytes(Duration longest) override;
+    [[nodiscard]] Instant now() const override;
+    [[nodiscard]] bool isRealTime() const override { return !m_virtualNow; }
     bool powerCycle() override;
 
 private:
     bool take(Instant now); ///< emits what has arrived; true: something had, or the line failed
     void schedule(Instant now);
 
+    std::optional<Instant> m_virtualNow; ///< none: the clock on the wall counts
     sim::SimulatedLine m_line;
     QTimer m_timer;
     bool m_isOpen = false;

@@ -29,6 +29,10 @@ public:
     /// or the time is over (false). Used for the reply in flight only: nothing may be sent before
     /// it.
     virtual bool waitForBytes(Duration longest) = 0;
+    /// What received() is stamped with. Simulated time may run ahead of the clock on the wall.
+    [[nodiscard]] virtual Instant now() const { return std::chrono::steady_clock::now(); }
+    /// False: time passes in waitForBytes() only, which then takes none.
+    [[nodiscard]] virtual bool isRealTime() const { return true; }
     /// The simulator only: switches the controller off and on again. False: not possible here.
     virtual bool powerCycle() { return false; }
 

@@ -22,6 +22,10 @@ private slots:
     void config_roundTrip();
     void config_dryRunWritesNothing();
     void config_refusalPutsAllBack();
+    void whatIsThereAlready_isNotWritten();
+    void configDiff_ofTwoFilesNeedsNoController();
+    void configDiff_againstDefaultsNamesGuesses();
+    void configFile_ofTheOtherModelIsAdapted();
     void learn_learnsAllFive();
     void learn_interruptedChangesNothing();
     void port_isRemembered();
@@ -196,6 +200,89 @@ void tst_trexctl_settings::config_refusalPutsAllBack()
     QVERIFY(done.out.isEmpty());
     QCOMPARE(done.errLines().size(), 1);
     QCOMPARE(run(ask(simulator, u"param get 7"_s)).object()["value"_L1], 0);
+}
+
+void tst_trexctl_settings::whatIsThereAlready_isNotWritten()
+{
+    const auto bytesWritten = [](const Simulator& simulator) {
+        int sum = 0;
+        for (const QJsonObject& entry : simulator.log()) {
+            sum += entry["event"_L1] == "eeprom"_L1 ? entry["writes"_L1].toInt() : 0;
+        }
+        return sum;
+    };
+    QTemporaryDir folder;
+    const QString path = folder.filePath(u"c.json"_s);
+    Simulator simulator;
+    QCOMPARE(run(ask(simulator, u"param set serial-timeout 500ms"_s)).code, 0);
+    QCOMPARE(run(ask(simulator, u"calibration set 1 2600 3700 4900 60"_s)).code, 0);
+    QCOMPARE(run(ask(simulator, u"config save "_s + path)).code, 0);
+    QTRY_COMPARE(bytesWritten(simulator), 1 + 8); // so the counter counts
+    QCOMPARE(run(ask(simulator, u"config load "_s + path)).code, 0);
+    QCOMPARE(run(ask(simulator, u"param set serial-timeout 5"_s)).code, 0);
+    QCOMPARE(run(ask(simulator, u"calibration set 1 2600 3700 4900 60"_s)).code, 0);
+    QCOMPARE(run(ask(simulator, u"info"_s)).code, 0);
+    QCOMPARE(simulator.packets(u"setting"_s).size(), 2);
+    QCOMPARE(bytesWritten(simulator), 1 + 8);
+}
+
+void tst_trexctl_settings::configDiff_ofTwoFilesNeedsNoController()
+{
+    QTemporaryDir folder;
+    const auto file = [&folder](const QString& name, const QByteArray& members) {
+        QFile written(folder.filePath(name));
+        const bool isOpen = written.open(QIODevice::WriteOnly);
+        written.write(R"({"format":"trexpanel-configuration","version":1,)" + members + '}');
+        return isOpen ? written.fileName() : QString();
+    };
+    const QString first = file(
+        u"a.json"_s, R"("parameters":{"serial-timeout":{"raw":5},"aux-acceleration":{"raw":1}})");
+    const QString second = file(
+        u"b.json"_s,
+        R"("parameters":{"serial-timeout":{"raw":8}},"calibration":{"analog":{"2":{"minimum":0,"neutral":500,"maximum":1000,"deadband":9}}})");
+    const Finished done =
+        run(u"--json --port /dev/none config diff %1 %2"_s.arg(first, second).split(u' '));
+    QVERIFY2(done.code == 0, done.err);
+    const QJsonArray changed = done.object()["changed"_L1].toArray();
+    QCOMPARE(changed.size(), 1 + 4);
+    QCOMPARE(changed[0].toObject(),
+             (QJsonObject{{u"key"_s, u"serial-timeout"_s}, {u"from"_s, 5}, {u"to"_s, 8}}));
+    QCOMPARE(changed[1]["key"_L1], "calibration.analog.2.minimum"_L1);
+    QCOMPARE(done.object()["onlyInFirst"_L1].toArray(), QJsonArray{u"aux-acceleration"_s});
+    QCOMPARE(run({u"config"_s, u"diff"_s}).code, 2);
+    QCOMPARE(run({u"config"_s, u"diff"_s, u"--defaults"_s, first}).code, 2);
+    QCOMPARE(run({u"config"_s, u"diff"_s, first, u"/no/such"_s}).code, 2);
+}
+
+void tst_trexctl_settings::configDiff_againstDefaultsNamesGuesses()
+{
+    Simulator simulator(
+        {u"--param"_s, u"serial-timeout=5"_s, u"--param"_s, u"motor1-pwm-prescaler=2"_s});
+    const Finished done = run(ask(simulator, u"config diff --defaults"_s));
+    QVERIFY2(done.code == 0, done.err);
+    QCOMPARE(done.object()["changed"_L1].toArray().size(), 2);
+    QCOMPARE(done.object()["changed"_L1][0],
+             (QJsonObject{{u"key"_s, u"serial-timeout"_s}, {u"from"_s, 5}, {u"to"_s, 0}}));
+    QVERIFY2(done.err.contains("guesses: serial-timeout."),
+             done.err); // the prescaler's is documented
+}
+
+void tst_trexctl_settings::configFile_ofTheOtherModelIsAdapted()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(u"c.json"_s);
+    Simulator jr(
+        {u"--param"_s, u"motor1-current-limit=30"_s, u"--param"_s, u"uart-response-delay=1"_s});
+    QCOMPARE(run(ask(jr, u"config save "_s + path)).code, 0);
+    Simulator trex({u"--model"_s, u"trex"_s, u"--firmware"_s, u"1.1"_s});
+    const Finished done = run(ask(trex, u"config load "_s + path));
+    QVERIFY2(done.code == 0, done.err);
+    QCOMPARE(run(ask(trex, u"param get motor1-current-limit"_s)).object()["value"_L1], 8); // 2.4 A
+    for (const char* sentence :
+         {"is of a TReX Jr, the controller is a TReX", "about 2.40 A (inferred) (raw 8)",
+          "left out, since firmware 1.1"}) {
+        QVERIFY2(done.err.contains(sentence), done.err);
+    }
 }
 
 void tst_trexctl_settings::learn_learnsAllFive()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the program: `trex_bench [--json FILE] [store|plot|programs|lines ...]`, all if none is
-// named. Times drift with the machine and its load; the ratios within a run are what to compare.
+// Measures the program: `trex_bench [--json FILE] [store|plot|programs|record|lines ...]`, all if
+// none is named. Times drift with the machine and its load; the ratios within a run are what to
+// compare.
 #include "tests/bench/benchsections.h"
 
 #include <QApplication>
@@ -23,7 +24,7 @@ struct Section {
 };
 constexpr std::array kSections{Section{"store", measureStore}, Section{"plot", measurePlot},
                                Section{"programs", measurePrograms},
-                               Section{"lines", measureLines}};
+                               Section{"record", measureRecording}, Section{"lines", measureLines}};
 
 } // namespace
 

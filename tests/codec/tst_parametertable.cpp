@@ -185,6 +185,9 @@ void TstParameterTable::text_isForPeople_data()
     add(0x01, 0b10101, "channels 1, 3, 5");
     add(0x02, 0, "no channel");
     add(0x07, 5, "500 ms");
+    add(0x07, 0, "off");
+    add(0x0E, 0, "unlimited");
+    add(0x13, 0, "no limit (unsure)");
     add(0x08, 1, "on");
     add(0x17, 0, "off");
     add(0x09, 1, "1: 2.4 kHz");

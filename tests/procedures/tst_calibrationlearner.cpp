@@ -145,8 +145,8 @@ void TestCalibrationLearner::generatedSticks_areLearnedOrDeclined_data()
     QTest::newRow("clean") << 0.003 << 0.0 << 0.0 << dwell << 0.01 << 1.0;
     QTest::newRow("clean sine") << 0.003 << 0.0 << 0.0 << sine << 0.01 << 1.0;
     QTest::newRow("noisy") << 0.02 << 0.0 << 0.0 << dwell << 0.01 << 0.4;
-    // Noise and an end that is never held: there the noise decides how near one can come.
-    QTest::newRow("noisy sine") << 0.006 << 0.0 << 0.0 << sine << 0.015 << 0.95;
+    // Noise and an end that is never held: it is learned right, or declined.
+    QTest::newRow("noisy sine") << 0.006 << 0.0 << 0.0 << sine << 0.01 << 0.6;
     QTest::newRow("spikes") << 0.005 << 0.02 << 0.0 << dwell << 0.01 << 0.9;
     QTest::newRow("missing pulses") << 0.005 << 0.0 << 0.2 << dwell << 0.01 << 0.5;
     QTest::newRow("all of it") << 0.02 << 0.02 << 0.2 << dwell << 0.01 << 0.1;
@@ -191,9 +191,11 @@ void TestCalibrationLearner::generatedSticks_areLearnedOrDeclined()
                 .arg(stick.high)
                 .toUtf8();
         if (learned.verdict == Verdict::DoAgain) {
-            // Only for what is wrong with it.
+            // Only for what is wrong with it: an end that is not held is sooner lost in noise.
+            const double leastNoise = stick.sweep == GeneratedStick::Sweep::Sine ? 0.0025 : 0.0075;
             for (const Finding finding : learned.findings) {
-                const bool isTrue = (finding == Finding::Noisy && stick.sigma > 0.009 * travel)
+                const bool isTrue = (finding == Finding::Noisy && stick.sigma > leastNoise * travel)
+                    || (finding == Finding::NotHeld && stick.sigma > leastNoise * travel)
                     || (finding == Finding::NotStill && stick.sigma > 0.009 * travel)
                     || (finding == Finding::MissingPulses && stick.missingShare > 0.15);
                 QVERIFY2(isTrue, where.constData());

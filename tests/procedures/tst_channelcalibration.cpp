@@ -5,7 +5,7 @@
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
 
-#include "tests/procedures/generatedstick.h"
+#include "tests/procedures/calibrationbench.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -14,13 +14,13 @@
 using namespace std::chrono_literals;
 using namespace Qt::Literals::StringLiterals;
 using namespace trex;
+using namespace trex::test;
 
 namespace {
 
 using Step = ChannelCalibration::Step;
 using WriteState = ChannelCalibration::WriteState;
-
-const Calibration kDefaultRc{2500, 3750, 5000, 100}; // of the simulator (conformance C-63)
+using Bench = CalibrationBench;
 
 // Where the simulator's sticks have their ends and neutrals.
 constexpr std::array<Calibration, kChannelCount> kRcSticks{{{2618, 3762, 4894, 0},
@@ -38,81 +38,6 @@ bool isNear(const Calibration& learned, const Calibration& truth)
         && std::abs(learned.maximum - truth.maximum) <= tolerance
         && std::abs(learned.neutral - truth.neutral) <= 2;
 }
-
-/// A calibration over a simulated controller; samples are made up, their time runs as fast as they
-/// are fed.
-struct Bench {
-    TelemetryStore store;
-    StatusLatch latch;
-    Controller controller{&store, &latch};
-    DeviceSettings settings{controller};
-    ChannelCalibration calibration{controller, settings};
-    Instant now = Instant{} + 1h;
-
-    [[nodiscard]] bool connectTo(const QString& port)
-    {
-        controller.open({.port = port, .line = {}});
-        return QTest::qWaitFor([this] {
-            return controller.state() == LinkState::Connected && controller.device().mode;
-        });
-    }
-    [[nodiscard]] bool waitFor(Step step, int timeoutMs = 5000)
-    {
-        return QTest::qWaitFor([this, step] { return calibration.step() == step; }, timeoutMs);
-    }
-    void feedAll(const std::array<int, kChannelCount>& raw, Duration time)
-    {
-        for (const Instant end = now + time; now < end;) {
-            now += GeneratedStick::kInterval;
-            PollSample sample{PollId::RawChannels, {}, now};
-            for (std::size_t i = 0; i < raw.size(); ++i) {
-                sample.raw.at(i) = static_cast<std::uint16_t>(raw.at(i));
-            }
-            calibration.feed(sample);
-        }
-    }
-    void feed(int raw, Duration time) { feedAll({raw, raw, raw, raw, raw}, time); }
-    void feedNeutral() { feed(3700, 2200ms); }
-    void feedSweep()
-    {
-        feed(2600, 1s);
-        feed(4900, 1s);
-        feed(3700, 2s);
-    }
-    /// From choosing to the review.
-    [[nodiscard]] bool learnAll()
-    {
-        calibration.next();
-        if (!waitFor(Step::Neutral)) {
-            return false;
-        }
-        feedNeutral();
-        calibration.next();
-        feedSweep();
-        calibration.next();
-        return calibration.step() == Step::Review;
-    }
-    [[nodiscard]] std::optional<Calibration> stored(int channel)
-    {
-        std::optional<Calibration> result;
-        bool isDone = false;
-        settings.readCalibration(channel, &calibration, [&](const Result<Calibration>& read) {
-            isDone = true;
-            result = read ? std::optional(*read) : std::nullopt;
-        });
-        (void)QTest::qWaitFor([&isDone] { return isDone; });
-        return result;
-    }
-    [[nodiscard]] bool isUntouched()
-    {
-        for (int channel = 1; channel <= kChannelCount; ++channel) {
-            if (stored(channel) != kDefaultRc) {
-                return false;
-            }
-        }
-        return true;
-    }
-};
 
 QString scenarioFile(const QTemporaryDir& folder, const QByteArray& json)
 {
@@ -339,6 +264,11 @@ void TestChannelCalibration::otherModes_cannotWrite()
     Bench bench;
     QVERIFY(bench.connectTo(u"sim:?mode=rc"_s));
     QVERIFY(!bench.calibration.canWrite());
+    QVERIFY(bench.calibration.doSticksDrive());
+    bench.calibration.next(); // not before the person says that nothing can move
+    QVERIFY(!bench.calibration.isRunning());
+    QVERIFY(bench.calibration.whyNot().contains(u"motor power is off"_s));
+    bench.calibration.setMotorPowerOff(true);
     QVERIFY(bench.learnAll());
     QVERIFY(!bench.calibration.canContinue());
     QVERIFY(bench.calibration.whyNot().contains(u"serial mode"_s));
@@ -541,6 +471,7 @@ void TestChannelCalibration::simulatedStick_isLearnedByAsking()
     DeviceSettings settings(controller);
     ChannelCalibration calibration(controller, settings);
     RequestFeed feed(controller, calibration);
+    calibration.setOptionalSteps(false);
     calibration.setStillTime(1s);
     calibration.setChannels(0b00010);
     controller.open({.port = u"sim:?param=channel-input-source=1&scenario="_s + file, .line = {}});

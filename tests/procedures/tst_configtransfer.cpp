@@ -94,6 +94,7 @@ private slots:
     void read_bringsEverything();
     void write_sendsOnlyWhatDiffers();
     void refusal_putsBackWhatWasWritten();
+    void refusal_canLeaveWhatWasWritten();
     void notInSerialMode_changesNothing();
     void cancel_putsBackWhatWasWritten();
     void lostLine_saysWhatWasNotPutBack();
@@ -202,6 +203,37 @@ void TestConfigTransfer::refusal_putsBackWhatWasWritten()
     QVERIFY(bench.readAll());
     QCOMPARE((*bench.read)->parameters, before.parameters);
     QVERIFY(bench.outcome->text().startsWith(u"Reply delay of 1 ms: "_s));
+}
+
+void TestConfigTransfer::refusal_canLeaveWhatWasWritten()
+{
+    Bench bench;
+    QVERIFY(bench.connectTo(u"sim:?firmware=1.0&quirk=unknown-parameter=ff"_s));
+    QVERIFY(bench.readAll());
+    const auto before = **bench.read;
+    auto wanted = before;
+    wanted.parameters[0x07] = 8;
+    wanted.parameters[0x17] = 1;
+    wanted.parameters[0x7B] = 1; // after the refusal: never sent
+    bench.transfer.write(bench.planFor(wanted), ConfigTransfer::OnFailure::Stop);
+    QVERIFY(bench.finish());
+    QCOMPARE(bench.outcome->error->code, ErrorCode::BadParameterNumber);
+    QCOMPARE(keysOf(bench.outcome->written), QStringList{u"serial-timeout"_s});
+    QVERIFY(bench.outcome->restored.empty());
+    QVERIFY(!bench.outcome->failedMayHold); // a refusal is certain
+    QCOMPARE(bench.written.size(), 2U);
+    QCOMPARE(bench.settings.parameter(0x07), 8);
+    QVERIFY(bench.outcome->text().contains(u"in the controller now: Serial timeout."_s));
+
+    const auto written = bench.outcome->toPutBack();
+    bench.outcome.reset();
+    bench.transfer.putBack(written);
+    QVERIFY(bench.finish());
+    QVERIFY(!bench.outcome->error);
+    QCOMPARE(keysOf(bench.outcome->restored), QStringList{u"serial-timeout"_s});
+    QCOMPARE(bench.outcome->text(), u"Put back as before: Serial timeout."_s);
+    QVERIFY(bench.readAll());
+    QCOMPARE((*bench.read)->parameters, before.parameters);
 }
 
 void TestConfigTransfer::notInSerialMode_changesNothing()

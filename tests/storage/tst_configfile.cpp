@@ -94,6 +94,10 @@ private slots:
     void truncatedFile_isRefusedWithItsLine();
     void damagedFile_isRefusedOrUnderstood();
     void newerVersion_isKeptAndTold();
+    void previousVersion_isOpened();
+    void comments_stayWhereTheyAre();
+    void comments_survivePuttingAnotherFileInPlace();
+    void whatIsNeitherOursNorComment_isTold();
     void load_refusesWhatIsNoFile();
     void save_replacesWholeFilesOnly();
     void differences_nameEachNumber();
@@ -174,9 +178,9 @@ void TestConfigFile::malformedParameter_isRefusedByKey_data()
         QTest::addRow("%s unit", key.constData())
             << withParameter(row, good + R"(,"unit":"furlongs")")
             << u"parameters.%1.unit"_s.arg(keyText(row));
-        QTest::addRow("%s foreign member", key.constData())
-            << withParameter(row, good + R"(,"note":"mine")")
-            << u"parameters.%1.note"_s.arg(keyText(row));
+        QTest::addRow("%s misspelt member", key.constData())
+            << withParameter(row, good + R"(,"Units":"A")")
+            << u"parameters.%1.Units: is not known; is unit meant?"_s.arg(keyText(row));
         QTest::addRow("%s raw twice", key.constData())
             << withParameter(row, good + ',' + good) << raw + u": stands twice"_s;
     }
@@ -220,7 +224,8 @@ void TestConfigFile::malformedFile_isRefusedWithItsPlace_data()
     row("version 1.5", R"({"format":"trexpanel-configuration","version":1.5,"parameters":{}})",
         "version");
     row("nothing in it", R"({"format":"trexpanel-configuration","version":1})", "parameters");
-    row("foreign key", head + R"("parameters":{},"colour":"red"})", "colour");
+    row("misspelt key", head + R"("parameters":{},"Calibrations":{}})",
+        "Calibrations: is not known; is calibration meant?");
     row("format twice", head + R"("format":"trexpanel-configuration","parameters":{}})",
         "format: stands twice");
     row("twice, escaped", head + R"("parameters":{},"par\u0061meters":{}})",
@@ -235,7 +240,7 @@ void TestConfigFile::malformedFile_isRefusedWithItsPlace_data()
         "device.signature");
     row("device 128", head + R"("device":{"number":128},"parameters":{}})", "device.number");
     row("device -1", head + R"("device":{"number":-1},"parameters":{}})", "device.number");
-    row("device key", head + R"("device":{"port":"COM3"},"parameters":{}})", "device.port");
+    row("device key", head + R"("device":{"numbr":7},"parameters":{}})", "device.numbr");
     row("parameters is a list", head + R"("parameters":[]})", "parameters");
     row("parameters is null", head + R"("parameters":null})", "parameters");
     row("unknown parameter", head + R"("parameters":{"serial-time":{"raw":5}}})",
@@ -248,6 +253,11 @@ void TestConfigFile::malformedFile_isRefusedWithItsPlace_data()
         "line 2, parameters.serial-timeout: stands twice");
     row("control characters in a key", head + R"("parameters":{"\u0000\n\u001b[31m":1}})",
         "parameters.");
+    row("BOM of UTF-16", QByteArray("\xFF\xFE{\0}\0", 6), "UTF-16");
+    row("BOM of big UTF-16", QByteArray("\xFE\xFF\0{\0}", 6), "UTF-16");
+    row("NUL", head + "\n\"parameters\":{" + QByteArray(1, '\0') + "}}", "line 2, column 15");
+    row("comment in slashes", head + "\n// mine\n\"parameters\":{}}", "\"comment\"");
+    row("comment with a hash", head + "\n# mine\n\"parameters\":{}}", "line 2");
     row("endless key", head + "\"parameters\":{\"" + QByteArray(5000, 'x') + "\":1}}",
         "parameters.xxx");
     row("calibration is a text", head + R"("calibration":"good"})", "calibration");
@@ -270,8 +280,8 @@ void TestConfigFile::malformedFile_isRefusedWithItsPlace_data()
         }
         QByteArrayList rest;
         for (const auto& each : names) {
-            rest << (each == name ? QByteArray("\"other\"") : '"' + each + '"') + ":"
-                    + QByteArray::number(rest.size() * 100);
+            rest << (each == name ? QByteArray("\"note\":\"\"")
+                                  : '"' + each + "\":" + QByteArray::number(rest.size() * 100));
         }
         row((name + " is missing").constData(), withCalibration(rest.join(',')),
             ("calibration.rc.3." + name).constData());
@@ -356,6 +366,86 @@ void TestConfigFile::newerVersion_isKeptAndTold()
     verifyRefused(
         R"({"format":"trexpanel-configuration","version":3,"parameters":{"serial-timeout":{"raw":500}}})",
         u"parameters.serial-timeout.raw"_s);
+}
+
+void TestConfigFile::previousVersion_isOpened()
+{
+    // Stays as it is whatever the format becomes.
+    const auto old = loadConfiguration(QStringLiteral(TREX_TEST_DATA "/configuration-v1.json"));
+    QVERIFY2(old, qPrintable(old ? QString() : old.error().context));
+    QCOMPARE(old->version, 1);
+    QCOMPARE(old->parameters.size(), kParameters.size() - 1);
+    QCOMPARE(old->parameters.at(0x07), 5);
+    QCOMPARE(old->parameters.at(0x13), 30);
+    QCOMPARE(old->calibrations.at(InputKind::Rc).at(5), (Calibration{2501, 3751, 5001, 101}));
+    QCOMPARE(old->signature, u"TReXJr1.2"_s);
+    QCOMPARE(old->saved, QDateTime({2026, 11, 22}, {14, 0}, Qt::UTC));
+    QCOMPARE(remarkOn(*old), QString());
+}
+
+void TestConfigFile::comments_stayWhereTheyAre()
+{
+    const QByteArray text = R"({
+    "comment": ["the bench", "in the cellar: \u00fc \" \\ { ] ,"],
+    "format": "trexpanel-configuration",
+    "why now": "new wheels",
+    "version": 1,
+    "device": { "owner": "Ada", "signature": "TReXJr1.2", "number": 7, "shelf": {"row":  3 , "bin":[1,2.50]} },
+    "parameters": {
+        "note on the next": "found by trying",
+        "second": "and another",
+        "serial-timeout": { "raw": 5, "note": "half a second", "physical": 500, "unit": "ms" },
+        "motor1-acceleration": { "raw": 40, "physical": 40, "unit": "" },
+        "last": "the end"
+    },
+    "calibration": {
+        "rc": {
+            "comment": "with the old transmitter",
+            "1": { "minimum": 2500, "stick": "left", "neutral": 3750, "maximum": 5000, "deadband": 100 }
+        }
+    },
+    "z": "at the end"
+}
+)";
+    const auto parsed = parseConfiguration(text, kName);
+    QVERIFY2(parsed, qPrintable(parsed ? QString() : parsed.error().context));
+    QCOMPARE(writeConfiguration(*parsed), text);
+    QCOMPARE(remarkOn(*parsed), u"Not understood and left alone in the file: device.shelf."_s);
+
+    // In another order and spacing it says the same, and the comments keep their neighbours.
+    QByteArray shuffled = text;
+    shuffled.replace("    \"version\": 1,\n", "").replace("\n    \"z\"", "\n\"version\":1, \"z\"");
+    const auto other = parseConfiguration(shuffled, kName);
+    QVERIFY2(other, qPrintable(other ? QString() : other.error().context));
+    const QByteArray once = writeConfiguration(*other);
+    const auto again = parseConfiguration(once, kName);
+    QVERIFY(again && *again == *other);
+    QCOMPARE(writeConfiguration(*again), once);
+}
+
+void TestConfigFile::comments_survivePuttingAnotherFileInPlace()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(u"mine.json"_s);
+    auto commented = fullConfiguration(3);
+    commented.unknown[{u"parameters.serial-timeout"_s, u"note"_s}] = {u"raw"_s, "\"mine\""};
+    commented.unknown[{QString(), u"mood"_s}] = {u"version"_s, "{\"a\":1}"};
+    QVERIFY(saveConfiguration(commented, path));
+    QVERIFY(saveConfiguration(fullConfiguration(4), path));
+    const auto loaded = loadConfiguration(path);
+    QVERIFY(loaded);
+    QCOMPARE(loaded->parameters, fullConfiguration(4).parameters);
+    QCOMPARE(loaded->unknown.size(), 1U); // what is no comment belonged to the other values
+    QCOMPARE(loaded->unknown.begin()->second.json, QByteArray("\"mine\""));
+}
+
+void TestConfigFile::whatIsNeitherOursNorComment_isTold()
+{
+    const auto parsed = parseConfiguration(
+        R"({"format":"trexpanel-configuration","version":1,"mood":{"a":1},"parameters":{}})",
+        kName);
+    QVERIFY(parsed);
+    QVERIFY(remarkOn(*parsed).contains(u"mood"_s));
 }
 
 void TestConfigFile::load_refusesWhatIsNoFile()

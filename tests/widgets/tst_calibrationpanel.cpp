@@ -1,99 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/session/devicesettings.h"
-#include "protocol/telemetry/statuslatch.h"
-#include "protocol/telemetry/telemetrystore.h"
-#include "widgets/calibration/calibrationpanel.h"
-#include "widgets/calibration/calibrationwizard.h"
-#include "widgets/calibration/statemark.h"
+#include "tests/widgets/calibrationpanelbench.h"
 #include "widgets/channels/channelbar.h"
-#include "widgets/common/eventlog.h"
-#include "widgets/common/filedialogs.h"
-#include "widgets/common/frameticker.h"
 #include "widgets/common/theme.h"
-#include "widgets/common/uisettings.h"
-
-#include <QCheckBox>
-#include <QDir>
-#include <QLabel>
-#include <QPushButton>
-#include <QTemporaryDir>
-#include <QTest>
 
 using namespace Qt::Literals::StringLiterals;
 using namespace trex;
-
-namespace {
-
-constexpr int kLongMs = 30'000;
-
-/// The panel with everything behind it, and a simulated controller to connect to.
-struct Bench {
-    QTemporaryDir folder;
-    SettingsFile file{folder.filePath(u"settings.ini"_s)};
-    UiSettings uiSettings{file};
-    TelemetryStore store;
-    StatusLatch latch;
-    EventLog log;
-    FrameTicker ticker;
-    FileDialogs dialogs;
-    Controller controller{&store, &latch};
-    DeviceSettings settings{controller};
-    PanelContext context{controller, settings, store, latch, log, uiSettings, ticker, dialogs};
-    CalibrationPanel panel{context};
-
-    Bench()
-    {
-        panel.resize(900, 420);
-        panel.show();
-    }
-    [[nodiscard]] bool connectTo(const QString& port)
-    {
-        controller.open({.port = port, .line = {}});
-        return QTest::qWaitFor([this] { return controller.device().mode.has_value(); }, kLongMs);
-    }
-    [[nodiscard]] QString scenario(const QByteArray& json) const
-    {
-        QFile scenarioFile(folder.filePath(u"scenario.json"_s));
-        if (scenarioFile.open(QIODevice::WriteOnly)) {
-            scenarioFile.write(json);
-        }
-        return u"sim:?scenario="_s + scenarioFile.fileName();
-    }
-    template <class T>
-    [[nodiscard]] T* part(const QString& name) const
-    {
-        return panel.findChild<T*>(u"calibration."_s + name);
-    }
-    [[nodiscard]] QString text(const QString& name) const { return part<QLabel>(name)->text(); }
-    [[nodiscard]] QString page() const
-    {
-        return part<QWidget>(u"wizard"_s)->property("page").toString();
-    }
-    [[nodiscard]] QPushButton* next() const { return part<QPushButton>(u"next"_s); }
-    void click(const QString& name) const
-    {
-        QTest::mouseClick(part<QPushButton>(name), Qt::LeftButton);
-    }
-    [[nodiscard]] bool waitForNext() const
-    {
-        return QTest::qWaitFor([this] { return next()->isEnabled(); }, kLongMs);
-    }
-    [[nodiscard]] bool waitForPage(const QString& name) const
-    {
-        return QTest::qWaitFor([this, name] { return page() == name; }, kLongMs);
-    }
-    /// With TREX_TEST_PICTURES naming a folder, leaves a picture of the panel there.
-    void picture(const QString& name)
-    {
-        const QString where = qEnvironmentVariable("TREX_TEST_PICTURES");
-        if (!where.isEmpty()) {
-            QTest::qWait(100);
-            panel.grab().save(QDir(where).filePath(name + u".png"_s));
-        }
-    }
-};
-
-} // namespace
+using namespace trex::test;
+using Bench = CalibrationPanelBench;
 
 class TestCalibrationPanel : public QObject {
     Q_OBJECT
@@ -113,7 +26,8 @@ private slots:
 void TestCalibrationPanel::names_areThere()
 {
     const Bench bench;
-    for (const auto& name : {u"next"_s, u"back"_s, u"cancel"_s}) {
+    for (const auto& name :
+         {u"next"_s, u"back"_s, u"cancel"_s, u"undo"_s, u"history"_s, u"curveShown"_s}) {
         QVERIFY2(bench.part<QPushButton>(name) != nullptr, qPrintable(name));
         QVERIFY(!bench.part<QPushButton>(name)->accessibleName().isEmpty());
     }
@@ -162,7 +76,17 @@ void TestCalibrationPanel::otherMode_warnsAboutMovingMotors()
     QVERIFY(bench.connectTo(u"sim:?mode=rc"_s));
     QTRY_VERIFY(bench.text(u"notice"_s).contains(u"move the motors"_s));
     QVERIFY(bench.text(u"notice"_s).contains(u"serial mode"_s));
+    auto* off = bench.part<QCheckBox>(u"motorPowerOff"_s);
+    QVERIFY(off->isVisible());
+    QVERIFY(!bench.next()->isEnabled());
+    QVERIFY(bench.text(u"reason"_s).contains(u"motor power is off"_s));
     bench.picture(u"rcmode"_s);
+    off->click();
+    QVERIFY(bench.waitForNext());
+    bench.clickNext();
+    QVERIFY(bench.waitForPage(u"neutral"_s));
+    QTRY_VERIFY(!off->isVisible());
+    QVERIFY(bench.text(u"notice"_s).contains(u"move the motors"_s)); // still says so
 }
 
 void TestCalibrationPanel::walk_writesWhatWasLearned_data()
@@ -191,16 +115,26 @@ void TestCalibrationPanel::walk_writesWhatWasLearned()
     QVERIFY(bench.waitForNext());
     bench.picture(theme + u"2-neutral-done"_s);
     bench.click(u"next"_s);
+    QCOMPARE(bench.page(), u"returns"_s);
+    QVERIFY(bench.next()->isEnabled());
+    QCOMPARE(bench.next()->text(), u"Skip"_s);
+    bench.click(u"next"_s);
     QCOMPARE(bench.page(), u"extremes"_s);
     QVERIFY(!bench.next()->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(bench.text(u"1.detail"_s).contains(u" of "_s), kLongMs);
+    QCOMPARE(bench.next()->text(), u"Next"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.text(u"1.detail"_s).contains(u", need "_s), kLongMs);
     QTRY_COMPARE_WITH_TIMEOUT(bench.part<StateMark>(u"1.state"_s)->text(), u"moving"_s, kLongMs);
     QTest::qWait(400);
     bench.picture(theme + u"3-extremes"_s);
     QVERIFY(bench.waitForNext());
     bench.picture(theme + u"3-extremes-done"_s);
     bench.click(u"next"_s);
+    QCOMPARE(bench.page(), u"direction"_s);
+    bench.click(u"next"_s);
+    QCOMPARE(bench.page(), u"verify"_s);
+    bench.click(u"next"_s);
     QCOMPARE(bench.page(), u"review"_s);
+    QTRY_VERIFY(bench.text(u"notice"_s).contains(u"Skipped"_s));
     QTRY_COMPARE(bench.part<StateMark>(u"1.state"_s)->text(), u"good"_s);
     const int minimum = bench.part<QLabel>(u"1.minimum"_s)->property("raw").toInt();
     QVERIFY2(std::abs(minimum - 2618) <= 22, qPrintable(QString::number(minimum)));
@@ -210,6 +144,7 @@ void TestCalibrationPanel::walk_writesWhatWasLearned()
     bench.click(u"next"_s);
     QVERIFY(bench.waitForPage(u"done"_s));
     bench.picture(theme + u"5-done"_s);
+    QVERIFY(bench.part<QPushButton>(u"undo"_s)->isEnabled());
     QCOMPARE(bench.settings.calibration(InputKind::Rc, 1)->minimum, minimum);
     QCOMPARE(bench.settings.calibration(InputKind::Rc, 5)->minimum, 2500); // not chosen
     QTRY_COMPARE(bench.part<StateMark>(u"1.state"_s)->text(), u"written"_s);

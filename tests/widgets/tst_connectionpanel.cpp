@@ -285,6 +285,98 @@ private slots:
         QVERIFY(in<QPushButton>(bench.panel, u"connect"_s)->isEnabled());
     }
 
+    void recover_findsTheLostController_andConnects()
+    {
+        Bench bench;
+        typeAddress(bench.panel, u"sim:?baud=9600&error-detection=even"_s);
+        click(bench.panel, u"connect"_s); // at 19200: nothing answers
+        QTRY_COMPARE(state(bench.panel), u"retrying"_s);
+        QVERIFY2(advice(bench.panel).contains(u"Recover"_s), qPrintable(advice(bench.panel)));
+        click(bench.panel, u"recover"_s);
+        QTRY_VERIFY2(advice(bench.panel).contains(u"Trying"_s), qPrintable(advice(bench.panel)));
+        QVERIFY(in<QPushButton>(bench.panel, u"recover"_s)->text().contains(u"Cancel"_s));
+        QVERIFY(!in<QPushButton>(bench.panel, u"scan"_s)->isEnabled());
+        QTRY_COMPARE_WITH_TIMEOUT(state(bench.panel), u"connected"_s, 30'000);
+        QCOMPARE(bench.controller.options().line.baud, 9600);
+        QCOMPARE(in<QComboBox>(bench.panel, u"errorDetection"_s)->currentData().toString(),
+                 u"even"_s);
+        QVERIFY(bench.motorPackets.isEmpty());
+        QVERIFY(!bench.controller.isArmed());
+        QVERIFY(!in<QPushButton>(bench.panel, u"recover"_s)->isEnabled());
+    }
+
+    void recover_triesFirstWhatWorkedLast()
+    {
+        Bench bench;
+        const QString address = u"sim:?baud=2400&error-detection=crc7&crc-polynomial=145"_s;
+        LineSettings line;
+        line.baud = 2400;
+        line.errorDetection = ErrorDetection::Crc7;
+        line.polynomial = 0x91;
+        LineSettingsStore(bench.file).remember(address, line);
+        typeAddress(bench.panel, address);
+        auto* baud = in<QComboBox>(bench.panel, u"baud"_s);
+        baud->setCurrentIndex(baud->findData(115200));
+        QStringList seen;
+        click(bench.panel, u"recover"_s);
+        seen << advice(bench.panel);
+        QVERIFY2(seen.front().contains(u"2400 baud"_s), qPrintable(seen.front()));
+        QTRY_COMPARE_WITH_TIMEOUT(state(bench.panel), u"connected"_s, 30'000);
+        QCOMPARE(int(bench.controller.options().line.polynomial), 0x91);
+    }
+
+    void recover_findsNothing_andSaysWhatIsLeft()
+    {
+        Bench bench;
+        typeAddress(bench.panel, u"sim:?fault=drop=1"_s);
+        click(bench.panel, u"recover"_s);
+        QTRY_VERIFY2_WITH_TIMEOUT(advice(bench.panel).contains(u"No controller answered"_s),
+                                  qPrintable(advice(bench.panel)), 60'000);
+        QVERIFY(advice(bench.panel).contains(u"Nothing at all came back"_s));
+        QVERIFY(advice(bench.panel).contains(u"inferred"_s)); // the vendor's reset, facts.md 6
+        QVERIFY(in<QPushButton>(bench.panel, u"recover"_s)->isEnabled());
+    }
+
+    void lineChange_isFollowed_andTold()
+    {
+        Bench bench;
+        QVERIFY(bench.connectTo(u"sim:"_s));
+        auto* box = in<QWidget>(bench.panel, u"lineChange"_s);
+        QVERIFY(!box->isVisible());
+        bool isWritten = false;
+        bench.settings.writeParameter(parameterRow("uart-settings"), 10, true, &bench.panel,
+                                      [&isWritten](const auto& written) { isWritten = !!written; });
+        QTRY_VERIFY(isWritten);
+        QTRY_COMPARE(box->property("phase").toString(), u"waiting"_s);
+        QVERIFY(box->isVisible());
+        const auto* text = in<QLabel>(bench.panel, u"lineChange.text"_s);
+        QVERIFY2(text->text().startsWith(u"Waiting for the power cycle"_s),
+                 qPrintable(text->text()));
+        QVERIFY(in<QPushButton>(bench.panel, u"lineChange.cancel"_s)->isVisible());
+        click(bench.panel, u"powerCycle"_s);
+        QTRY_COMPARE_WITH_TIMEOUT(text->text(),
+                                  u"The controller answers with 115200 baud, no error detection."_s,
+                                  20'000);
+        QCOMPARE(state(bench.panel), u"connected"_s);
+        QCOMPARE(in<QComboBox>(bench.panel, u"baud"_s)->currentData().toInt(), 115200);
+        QVERIFY(!in<QPushButton>(bench.panel, u"lineChange.cancel"_s)->isVisible());
+        QVERIFY(bench.log.toText().contains(u"answers with 115200 baud"_s));
+    }
+
+    void lineChange_isCancelled()
+    {
+        Bench bench;
+        QVERIFY(bench.connectTo(u"sim:"_s));
+        bench.settings.writeParameter(parameterRow("uart-settings"), 3, true, &bench.panel,
+                                      [](const auto&) {});
+        auto* box = in<QWidget>(bench.panel, u"lineChange"_s);
+        QTRY_COMPARE(box->property("phase").toString(), u"waiting"_s);
+        click(bench.panel, u"lineChange.cancel"_s);
+        QCOMPARE(box->property("phase").toString(), u"none"_s);
+        QVERIFY(!box->isVisible());
+        QCOMPARE(state(bench.panel), u"connected"_s);
+    }
+
     void powerCycle_restartsTheSimulator()
     {
         Bench bench;

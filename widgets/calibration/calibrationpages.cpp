@@ -3,138 +3,83 @@
 
 #include "protocol/procedures/calibrationtext.h"
 
-#include <QCoreApplication>
-
 namespace trex::calibrationpages {
 namespace {
 
-using namespace std::chrono_literals;
 using Step = ChannelCalibration::Step;
-using WriteState = ChannelCalibration::WriteState;
 
-constexpr auto kMovementShown = 1500ms; // as long as a person needs to read who moved
-
-struct Texts {
-    Q_DECLARE_TR_FUNCTIONS(Calibration)
-};
-
-ChannelState leftOut()
+QString directionInstruction(const ChannelCalibration& calibration)
 {
-    return {StateShape::Off, Texts::tr("left as it is"), {}, {}};
+    const int channel = calibration.directionChannel();
+    if (channel == 0) {
+        return Texts::tr("Look at the directions and switches. Go on.");
+    }
+    return calibration.learner()->isDirectionReady()
+        ? Texts::tr("Push channel %1 forward, and hold it.").arg(channel)
+        : Texts::tr("Channel %1 is next: let go of all sticks first.").arg(channel);
 }
 
-ChannelState neutralState(const ChannelCalibration& calibration, const ChannelLearner& learner)
+/// The set that is calibrated, and the one that is left alone.
+QString setText(InputKind input)
 {
-    if (learner.hasStillWindow()) {
-        return {StateShape::Ok,
-                Texts::tr("still"),
-                readingText(learner.raw(), calibration.input()),
-                {}};
-    }
-    const bool isMoving =
-        learner.restarts() > 0 && learner.stillFor() < kMovementShown && learner.movedBy() != 0;
-    if (isMoving) {
+    return input == InputKind::Rc ? Texts::tr("The RC calibration is set; the analog one stays.")
+                                  : Texts::tr("The analog calibration is set; the RC one stays.");
+}
+
+Notice chooseNotice(const ChannelCalibration& calibration, Mode mode)
+{
+    if (!isSerial(mode)) {
+        const QString name = mode == Mode::Rc ? Texts::tr("RC") : Texts::tr("analog");
         return {StateShape::Warning,
-                Texts::tr("moved"),
-                Texts::tr("by %1").arg(spanText(std::abs(learner.movedBy()), calibration.input())),
-                {}};
+                Texts::tr("%1 mode: the sticks move the motors, and nothing can be written. Better "
+                          "use serial mode: power off, mode jumper off, power on.")
+                    .arg(name)};
     }
-    const auto left = std::max(Duration::zero(), learner.stillTime() - learner.stillFor());
-    return {StateShape::Off,
-            Texts::tr("waiting"),
-            Texts::tr("%1 s more").arg(std::chrono::duration<double>(left).count(), 0, 'f', 1),
-            {}};
+    return {StateShape::Ok,
+            Texts::tr("Serial mode: the sticks do not move the motors.") + u' '
+                + setText(calibration.input())};
 }
 
-QString sideText(int travel, int needed, InputKind input)
+Notice reviewNotice(const ChannelCalibration& calibration)
 {
-    return needed > 0
-        ? Texts::tr("%1 of %2").arg(spanText(travel, input), spanText(travel + needed, input))
-        : spanText(travel, input);
-}
-
-ChannelState extremesState(const ChannelCalibration& calibration, const ChannelLearner& learner)
-{
-    const InputKind input = calibration.input();
-    const QString detail = Texts::tr("down %1 · up %2")
-                               .arg(sideText(learner.lowTravel(), learner.lowNeeded(), input),
-                                    sideText(learner.highTravel(), learner.highNeeded(), input));
-    if (learner.areEndsSettled()) {
-        return {StateShape::Ok, Texts::tr("done"), detail, {}};
+    QStringList sentences;
+    QStringList skipped;
+    for (const Step step : calibration.skipped()) {
+        skipped << (step == Step::Returns         ? Texts::tr("how the sticks come back")
+                        : step == Step::Direction ? Texts::tr("which way is forward")
+                                                  : Texts::tr("trying the new numbers"));
     }
-    const bool isReached = learner.lowNeeded() == 0 && learner.highNeeded() == 0;
-    const bool hasMoved = learner.lowTravel() > 0 || learner.highTravel() > 0;
-    return {StateShape::Off,
-            isReached      ? Texts::tr("hold on")
-                : hasMoved ? Texts::tr("moving")
-                           : Texts::tr("waiting"),
-            detail,
-            {}};
-}
-
-ChannelState reviewState(const ChannelCalibration& calibration, int channel)
-{
-    const LearnedChannel* learned = calibration.learned(channel);
-    if (learned == nullptr) {
-        return leftOut();
+    bool hasNearest = false;
+    for (int channel = 1; channel <= kChannelCount; ++channel) {
+        hasNearest =
+            hasNearest || (calibration.isChosen(channel) && calibration.isNearest(channel));
     }
-    const StateShape shape = learned->verdict == Verdict::Good ? StateShape::Ok
-        : learned->verdict == Verdict::Usable                  ? StateShape::Warning
-                                                               : StateShape::Fault;
-    return {shape, verdictText(learned->verdict), reasonText(*learned, calibration.input()),
-            figuresText(*learned, calibration.input())};
-}
-
-ChannelState writtenState(const ChannelCalibration& calibration, int channel)
-{
-    switch (calibration.writeState(channel)) {
-    case WriteState::Untouched:
-        break;
-    case WriteState::Unchanged:
-        return {StateShape::Ok, Texts::tr("already so"), {}, {}};
-    case WriteState::Writing:
-        return {StateShape::Off, Texts::tr("writing…"), {}, {}};
-    case WriteState::Written:
-        return {StateShape::Ok, Texts::tr("written"), Texts::tr("Read back as written."), {}};
-    case WriteState::NearestWritten:
-        return {StateShape::Warning,
-                Texts::tr("nearest"),
-                Texts::tr("The nearest values that this controller can take."),
-                {}};
-    case WriteState::Failed:
-        return {StateShape::Fault, Texts::tr("failed"), {}, {}};
+    if (hasNearest) {
+        sentences << Texts::tr("This controller reads the bytes of a calibration as 8 bits each "
+                               "and cannot hold the learned numbers: shown are the nearest that "
+                               "it can.");
     }
-    const bool isWaiting = calibration.step() == Step::Writing && calibration.isChosen(channel);
-    return isWaiting ? ChannelState{StateShape::Off, Texts::tr("waiting"), {}, {}}
-                     : ChannelState{StateShape::Off, Texts::tr("as before"), {}, {}};
+    if (!skipped.isEmpty()) {
+        sentences << Texts::tr("Skipped, so less certain: %1.").arg(skipped.join(u", "));
+    }
+    return {hasNearest ? StateShape::Warning : StateShape::Off, sentences.join(u' ')};
 }
 
 } // namespace
 
 QStringList stepTitles()
 {
-    return {Texts::tr("Choose"), Texts::tr("Neutral"), Texts::tr("Ends"), Texts::tr("Review"),
-            Texts::tr("Write")};
+    return {Texts::tr("Choose"),    Texts::tr("Neutral"), Texts::tr("Returns"), Texts::tr("Ends"),
+            Texts::tr("Direction"), Texts::tr("Try"),     Texts::tr("Review"),  Texts::tr("Write")};
 }
 
 int stepIndex(const ChannelCalibration& calibration)
 {
-    switch (calibration.step()) {
-    case Step::Choose:
-        return 0;
-    case Step::Neutral:
-        return 1;
-    case Step::Extremes:
-        return 2;
-    case Step::Review:
-        return 3;
-    case Step::Writing:
-    case Step::Done:
-        return 4;
-    case Step::Stopped:
-        break;
+    const Step step = calibration.step();
+    if (step == Step::Stopped) {
+        return -1;
     }
-    return -1;
+    return static_cast<int>(step == Step::Done ? Step::Writing : step);
 }
 
 QString instruction(const ChannelCalibration& calibration)
@@ -150,11 +95,22 @@ QString instruction(const ChannelCalibration& calibration)
         return calibration.canContinue()
             ? Texts::tr("The neutrals are found. Go on.")
             : Texts::tr("Let go of all sticks and levers, and hold still.");
+    case Step::Returns:
+        return calibration.isStepDone()
+            ? Texts::tr("It is known how the sticks come back. Go on.")
+            : Texts::tr("Move every stick and let it go, twice, best to both sides.");
     case Step::Extremes:
         return calibration.canContinue()
             ? Texts::tr("All ends are found. Go on, or move further.")
             : Texts::tr("Move every stick, lever and switch slowly to both ends, and hold it "
                         "there for a moment.");
+    case Step::Direction:
+        return directionInstruction(calibration);
+    case Step::Verify:
+        return calibration.isStepDone()
+            ? Texts::tr("The new numbers do what they should. Go on.")
+            : Texts::tr("Try the new numbers: move every stick to both ends, then let it go. "
+                        "Nothing has been written yet.");
     case Step::Review:
         return Texts::tr("Compare the new numbers with those of before. Nothing has been written "
                          "yet.");
@@ -172,6 +128,10 @@ QString nextText(const ChannelCalibration& calibration)
     switch (calibration.step()) {
     case Step::Choose:
         return Texts::tr("Start");
+    case Step::Returns:
+    case Step::Direction:
+    case Step::Verify:
+        return calibration.isStepDone() ? Texts::tr("Next") : Texts::tr("Skip");
     case Step::Neutral:
     case Step::Extremes:
         return Texts::tr("Next");
@@ -189,63 +149,17 @@ QString nextText(const ChannelCalibration& calibration)
 Notice notice(const ChannelCalibration& calibration)
 {
     const auto mode = calibration.mode();
-    const bool isOver = calibration.step() == Step::Done || calibration.step() == Step::Stopped;
-    if (!mode || isOver) {
+    const Step step = calibration.step();
+    if (!mode || step == Step::Done || step == Step::Stopped) {
         return {};
     }
-    if (!isSerial(*mode)) {
-        const QString name = *mode == Mode::Rc ? Texts::tr("RC") : Texts::tr("analog");
-        return {StateShape::Warning,
-                Texts::tr("%1 mode: the sticks move the motors, and nothing can be written. Better "
-                          "use serial mode: power off, mode jumper off, power on.")
-                    .arg(name)};
+    if (step == Step::Choose || !isSerial(*mode)) {
+        return chooseNotice(calibration, *mode);
     }
-    if (calibration.step() != Step::Choose) {
-        return {};
+    if (step == Step::Review) {
+        return reviewNotice(calibration);
     }
-    return {StateShape::Ok,
-            *mode == Mode::SerialRc
-                ? Texts::tr("Serial mode: the sticks do not move the motors. The RC calibration is "
-                            "set; the analog one stays.")
-                : Texts::tr("Serial mode: the sticks do not move the motors. The analog "
-                            "calibration is set; the RC one stays.")};
-}
-
-ChannelState channelState(const ChannelCalibration& calibration, int channel)
-{
-    const CalibrationLearner* learner = calibration.learner();
-    switch (calibration.step()) {
-    case Step::Choose:
-        return calibration.isChosen(channel)
-            ? ChannelState{StateShape::Ok, Texts::tr("chosen"), {}, {}}
-            : leftOut();
-    case Step::Neutral:
-    case Step::Extremes: {
-        if (!calibration.isChosen(channel)) {
-            return leftOut();
-        }
-        const ChannelLearner& own = learner->channel(channel);
-        if (calibration.isStarved()) {
-            return {StateShape::Stale, Texts::tr("no readings"), {}, {}};
-        }
-        if (!own.isValid()) {
-            return {StateShape::Warning,
-                    calibration.input() == InputKind::Rc ? Texts::tr("no pulse")
-                                                         : Texts::tr("no reading"),
-                    {},
-                    {}};
-        }
-        return calibration.step() == Step::Neutral ? neutralState(calibration, own)
-                                                   : extremesState(calibration, own);
-    }
-    case Step::Review:
-        return reviewState(calibration, channel);
-    case Step::Writing:
-    case Step::Done:
-    case Step::Stopped:
-        break;
-    }
-    return writtenState(calibration, channel);
+    return {};
 }
 
 } // namespace trex::calibrationpages

@@ -5,9 +5,15 @@
 #include "protocol/procedures/channelcalibration.h"
 #include "widgets/common/stateshape.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 
 namespace trex::calibrationpages {
+
+/// The words of the wizard, for tr().
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Calibration)
+};
 
 /// The steps as a person counts them, and which one is on (−1: none).
 [[nodiscard]] QStringList stepTitles();
@@ -29,6 +35,13 @@ struct ChannelState {
     QString detail;
     QString figures; ///< tool tip
 };
-[[nodiscard]] ChannelState channelState(const ChannelCalibration& calibration, int channel);
+/// `raw`: the fresh reading, if there is one.
+[[nodiscard]] ChannelState channelState(const ChannelCalibration& calibration, int channel,
+                                        std::optional<int> raw);
+/// How sure one may be of a learned channel, figure by figure; empty before it is learned.
+[[nodiscard]] QString confidence(const ChannelCalibration& calibration, int channel);
+
+/// A remapped value with its sign: "+64", "−127", "0".
+[[nodiscard]] QString remappedText(int remapped);
 
 } // namespace trex::calibrationpages

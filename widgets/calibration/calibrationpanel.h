@@ -26,6 +26,7 @@ private:
     void updateWish();
     void refresh();
     void onFinished(const Result<void>& result);
+    void showHistory();
 
     ChannelCalibration m_calibration;
     StoreFeed m_feed;

@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -25,8 +26,7 @@ using Step = ChannelCalibration::Step;
 constexpr int kBarHeight = 28; // legible from an arm's length
 // So that nothing jumps when words and figures change, in characters.
 constexpr int kStateWidth = 16;
-constexpr int kFiguresWidth = 36;
-constexpr int kSentenceWidth = 24;
+constexpr int kDetailWidth = 26;
 
 constexpr std::array<QLatin1StringView, 4> kNumberNames{"minimum"_L1, "neutral"_L1, "maximum"_L1,
                                                         "deadband"_L1};
@@ -40,6 +40,11 @@ bool hasNumbers(Step step)
 {
     return step == Step::Review || step == Step::Writing || step == Step::Done
         || step == Step::Stopped;
+}
+
+std::optional<int> usable(std::optional<int> raw)
+{
+    return raw && *raw != kInvalidPulse ? raw : std::nullopt;
 }
 
 void setColour(QWidget* widget, ColourRole role)
@@ -58,11 +63,10 @@ std::optional<Calibration> present(const ChannelCalibration& calibration, int ch
     if (calibration.writeState(channel) == WriteState::Failed) {
         return std::nullopt; // old or new, nobody knows
     }
-    const LearnedChannel* learned = calibration.learned(channel);
     const bool isPlanned = calibration.step() == Step::Review
         || (calibration.step() == Step::Writing && calibration.isChosen(channel));
-    const bool isLearned = learned != nullptr && learned->verdict != Verdict::DoAgain;
-    return isPlanned && isLearned ? learned->calibration : calibration.before(channel);
+    const auto planned = calibration.planned(channel);
+    return isPlanned && planned ? planned : calibration.before(channel);
 }
 
 } // namespace
@@ -75,20 +79,40 @@ CalibrationRow::CalibrationRow(int channel, QGridLayout* grid, int line, QWidget
     , m_bar(named(new ChannelBar(channel, parent), u"calibration.%1.bar"_s.arg(channel)))
     , m_state(named(new StateMark(parent), u"calibration.%1.state"_s.arg(channel),
                     tr("State of channel %1").arg(channel)))
+    , m_reverse(named(new QCheckBox(tr("Reverse"), parent),
+                      u"calibration.%1.reversed"_s.arg(channel),
+                      tr("Reverse channel %1").arg(channel)))
+    , m_again(named(new QPushButton(tr("Again"), parent), u"calibration.%1.again"_s.arg(channel),
+                    tr("Find the direction of channel %1 again").arg(channel)))
     , m_detail(named(new QLabel(parent), u"calibration.%1.detail"_s.arg(channel),
                      tr("Details of channel %1").arg(channel)))
 {
     m_bar->setRemappedShown(false);
-    m_bar->setMinimumWidth(160);
+    m_bar->setMinimumWidth(120);
     m_bar->setFixedHeight(kBarHeight);
     m_detail->setTextFormat(Qt::PlainText);
+    m_detail->setWordWrap(true);
     grid->addWidget(m_use, line, 0);
     grid->addWidget(m_bar, line, 1);
     addNumbers(grid, line, parent);
-    grid->addWidget(m_state, line, kColumns - 2);
+    auto* state = new QVBoxLayout;
+    state->setSpacing(0);
+    state->addStretch(1);
+    state->addWidget(m_state);
+    state->addWidget(m_reverse);
+    state->addStretch(1);
+    grid->addLayout(state, line, kColumns - 3);
+    grid->addWidget(m_again, line, kColumns - 2);
     grid->addWidget(m_detail, line, kColumns - 1);
+    m_reverse->setToolTip(
+        tr("Parameter 0x03: forward and reverse change places on this channel. Only its own bit "
+           "is written."));
+    m_again->setToolTip(tr("Push this channel forward once more."));
     connect(m_use, &QCheckBox::toggled, this,
             [this](bool use) { emit useToggled(m_channel, use); });
+    connect(m_reverse, &QCheckBox::toggled, this,
+            [this](bool reverse) { emit reverseToggled(m_channel, reverse); });
+    connect(m_again, &QPushButton::clicked, this, [this] { emit againAsked(m_channel); });
 }
 
 void CalibrationRow::addNumbers(QGridLayout* grid, int line, QWidget* parent)
@@ -101,6 +125,7 @@ void CalibrationRow::addNumbers(QGridLayout* grid, int line, QWidget* parent)
         auto* layout = new QVBoxLayout(number.cell);
         layout->setContentsMargins(0, 0, 0, 0);
         layout->setSpacing(0);
+        layout->addStretch(1);
         number.now = named(new QLabel(number.cell),
                            u"calibration.%1.%2"_s.arg(m_channel).arg(kNumberNames.at(i)),
                            tr("%1 of channel %2").arg(titles.at(i)).arg(m_channel));
@@ -111,6 +136,7 @@ void CalibrationRow::addNumbers(QGridLayout* grid, int line, QWidget* parent)
             label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
             layout->addWidget(label);
         }
+        layout->addStretch(1);
         grid->addWidget(number.cell, line, kFirstNumber + static_cast<int>(i));
     }
 }
@@ -134,9 +160,9 @@ void CalibrationRow::applyStep(const ChannelCalibration& calibration)
     for (const Number& number : m_numbers) {
         number.cell->setVisible(isNumbers);
     }
-    m_detail->setWordWrap(isNumbers); // sentences there, figures before
     const int digit = m_detail->fontMetrics().averageCharWidth();
-    m_detail->setMinimumWidth(digit * (isNumbers ? kSentenceWidth : kFiguresWidth));
+    m_detail->setMinimumWidth(digit * kDetailWidth);
+    showDirection(calibration);
     m_state->setMinimumWidth(digit * kStateWidth);
     if (isNumbers) {
         showNumbers(calibration);
@@ -171,10 +197,30 @@ void CalibrationRow::showNumbers(const ChannelCalibration& calibration)
     }
 }
 
+void CalibrationRow::showDirection(const ChannelCalibration& calibration)
+{
+    const Step step = calibration.step();
+    const bool hasDirection = ChannelCalibration::hasDirection(m_channel);
+    const bool isLearned = calibration.planned(m_channel).has_value();
+    const bool isAsked = step == Step::Direction && calibration.isChosen(m_channel);
+    m_reverse->setVisible(hasDirection && isLearned && (isAsked || step == Step::Review));
+    m_reverse->setEnabled(isAsked || calibration.isChosen(m_channel));
+    const QSignalBlocker blocker(m_reverse);
+    m_reverse->setChecked(calibration.isReversed(m_channel));
+    const bool isChanged = calibration.isReversed(m_channel) != calibration.wasReversed(m_channel);
+    QFont font = m_reverse->font();
+    font.setBold(isChanged);
+    m_reverse->setFont(font);
+    m_again->setVisible(hasDirection && isAsked && calibration.direction(m_channel).has_value());
+}
+
 void CalibrationRow::showBar(const ChannelCalibration& calibration, std::optional<int> raw)
 {
     m_bar->setInput(calibration.input());
-    m_bar->setCalibration(calibration.before(m_channel));
+    const bool isTrying = calibration.step() == Step::Verify;
+    m_bar->setCalibration(isTrying && calibration.planned(m_channel)
+                              ? calibration.planned(m_channel)
+                              : calibration.before(m_channel));
     if (raw) {
         m_bar->setRaw(*raw);
     }
@@ -191,20 +237,20 @@ void CalibrationRow::showBar(const ChannelCalibration& calibration, std::optiona
 void CalibrationRow::refresh(const ChannelCalibration& calibration, std::optional<int> raw)
 {
     const Step step = calibration.step();
-    const LearnedChannel* learned = calibration.learned(m_channel);
-    const bool isAcceptable = learned != nullptr && learned->verdict != Verdict::DoAgain;
+    const bool isAcceptable = calibration.planned(m_channel).has_value();
     {
         const QSignalBlocker blocker(m_use);
         m_use->setChecked(calibration.isChosen(m_channel));
     }
     m_use->setEnabled((step == Step::Choose && !calibration.isPreparing())
                       || (step == Step::Review && isAcceptable));
+    showDirection(calibration);
     if (!hasNumbers(step)) {
         showBar(calibration, raw);
     } else if (step != Step::Review) {
         showNumbers(calibration); // as they are read back
     }
-    auto state = calibrationpages::channelState(calibration, m_channel);
+    auto state = calibrationpages::channelState(calibration, m_channel, usable(raw));
     if (step == Step::Choose) {
         state.detail = m_bar->text();
     }

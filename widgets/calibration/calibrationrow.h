@@ -10,6 +10,7 @@
 class QCheckBox;
 class QGridLayout;
 class QLabel;
+class QPushButton;
 class QWidget;
 
 namespace trex {
@@ -23,7 +24,7 @@ class CalibrationRow : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr int kColumns = 8; ///< use, bar, four numbers, state, detail
+    static constexpr int kColumns = 9; ///< use, bar, four numbers, state, again, detail
     static constexpr int kFirstNumber = 2;
 
     /// Places its widgets in row `line` of the grid; the widgets are children of `parent`.
@@ -38,6 +39,8 @@ public:
 
 signals:
     void useToggled(int channel, bool use);
+    void reverseToggled(int channel, bool reverse);
+    void againAsked(int channel); ///< its direction is to be found once more
 
 private:
     struct Number {
@@ -48,12 +51,15 @@ private:
     void addNumbers(QGridLayout* grid, int line, QWidget* parent);
     void showNumbers(const ChannelCalibration& calibration);
     void showBar(const ChannelCalibration& calibration, std::optional<int> raw);
+    void showDirection(const ChannelCalibration& calibration);
 
     int m_channel;
     QCheckBox* m_use;
     ChannelBar* m_bar;
     std::array<Number, 4> m_numbers;
     StateMark* m_state;
+    QCheckBox* m_reverse;
+    QPushButton* m_again;
     QLabel* m_detail;
 };
 

@@ -8,14 +8,18 @@
 #include <array>
 #include <vector>
 
+class QBoxLayout;
+class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 
 namespace trex {
 
 class CalibrationRow;
+class CurveBox;
 class StateMark;
 class TelemetryStore;
 
@@ -31,14 +35,22 @@ public:
                       QWidget* parent = nullptr);
     [[nodiscard]] QString page() const;
 
+    void setHistoryOffered(bool offered);
     void refresh(); ///< pulls what is new; called at frame rate
 
+signals:
+    void historyAsked();
+
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     [[nodiscard]] QWidget* makeChannels();
+    void addRow(int channel, QWidget* inside);
     [[nodiscard]] QWidget* makeButtons();
+    void placeCurve();
+    void showNotice();
     void applyTheme();
     void applyStep();
     void showSteps();
@@ -51,7 +63,13 @@ private:
     QLabel* m_instruction;
     StateMark* m_noticeMark;
     QLabel* m_notice;
+    QCheckBox* m_motorPowerOff;
     QProgressBar* m_countdown;
+    QBoxLayout* m_content = nullptr; ///< the channels, and the curve beside or below them
+    QScrollArea* m_scroll = nullptr;
+    CurveBox* m_curve;
+    QPushButton* m_curveShown = nullptr;
+    std::optional<bool> m_isCurveWanted; ///< none: where there is room
     QGridLayout* m_grid = nullptr;
     std::vector<QLabel*> m_headers;
     std::array<CalibrationRow*, kChannelCount> m_rows{};
@@ -59,6 +77,8 @@ private:
     QPushButton* m_back = nullptr;
     QPushButton* m_next = nullptr;
     QPushButton* m_cancel = nullptr;
+    QPushButton* m_undo = nullptr;
+    QPushButton* m_history = nullptr;
 };
 
 } // namespace trex

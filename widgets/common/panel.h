@@ -13,6 +13,7 @@ class FrameTicker;
 class StatusLatch;
 class TelemetryStore;
 class UiSettings;
+class WriteAudit;
 
 /// All that a panel may know. Panels never talk to each other, only to this.
 struct PanelContext {
@@ -24,6 +25,7 @@ struct PanelContext {
     UiSettings& settings;
     FrameTicker& ticker;
     FileDialogs& fileDialogs;
+    WriteAudit* audit = nullptr; ///< the journal of writes; null: nothing is recorded
 };
 
 /// Base of the panels; a row of panelregistry.cpp makes each one. GUI thread.

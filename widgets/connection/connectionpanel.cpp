@@ -2,10 +2,14 @@
 #include "widgets/connection/connectionpanel.h"
 
 #include "protocol/errortext.h"
+#include "protocol/procedures/linetext.h"
 #include "protocol/session/controller.h"
 #include "protocol/storage/linesettingsstore.h"
+#include "protocol/telemetry/statuslatch.h"
+#include "widgets/common/eventlog.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/uisettings.h"
+#include "widgets/connection/linechangebox.h"
 #include "widgets/connection/lineform.h"
 #include "widgets/connection/linkstatelabel.h"
 #include "widgets/connection/portbox.h"
@@ -29,25 +33,10 @@ bool isSimulator(const QString& address)
     return address.startsWith("sim:"_L1);
 }
 
-/// Line settings as people say them: "19200 baud, no error detection".
-QString lineText(const LineSettings& line)
-{
-    switch (line.errorDetection) {
-    case ErrorDetection::None:
-        return ConnectionPanel::tr("%1 baud, no error detection").arg(line.baud);
-    case ErrorDetection::Even:
-        return ConnectionPanel::tr("%1 baud, even parity").arg(line.baud);
-    case ErrorDetection::Odd:
-        return ConnectionPanel::tr("%1 baud, odd parity").arg(line.baud);
-    case ErrorDetection::Crc7:
-        break;
-    }
-    return ConnectionPanel::tr("%1 baud, CRC-7").arg(line.baud);
-}
-
 } // namespace
 
-ConnectionPanel::ConnectionPanel(PanelContext& context, QWidget* parent) : Panel(context, parent)
+ConnectionPanel::ConnectionPanel(PanelContext& context, QWidget* parent)
+    : Panel(context, parent), m_change(context.controller, context.deviceSettings)
 {
     auto* scroll = new QScrollArea(this);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -65,6 +54,7 @@ ConnectionPanel::ConnectionPanel(PanelContext& context, QWidget* parent) : Panel
     m_advice->setWordWrap(true);
     m_advice->setTextFormat(Qt::PlainText);
     m_advice->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    layout->addWidget(new LineChangeBox(m_change, page));
     layout->addWidget(m_advice);
     layout->addWidget(m_line);
     layout->addStretch(1);
@@ -77,6 +67,8 @@ ConnectionPanel::ConnectionPanel(PanelContext& context, QWidget* parent) : Panel
     setInitialValues();
     connect(&context.controller, &Controller::stateChanged, this, &ConnectionPanel::onStateChanged);
     connect(&context.controller, &Controller::deviceChanged, this, &ConnectionPanel::refresh);
+    connect(&m_change, &LineChange::changed, this, &ConnectionPanel::refresh);
+    connect(&m_change, &LineChange::said, &context.log, &EventLog::add);
     connect(m_port, &PortBox::portsChanged, this, &ConnectionPanel::refresh);
     connect(m_port, &PortBox::addressEdited, this, [this](const QString& address) {
         m_notice.clear();
@@ -113,14 +105,19 @@ void ConnectionPanel::buildButtons(QVBoxLayout& layout)
     m_connect = addButton(u"connect"_s, tr("&Connect"), u"connection.connect"_s);
     m_disconnect = addButton(u"disconnect"_s, tr("&Disconnect"), u"connection.disconnect"_s);
     m_scanButton = addButton(u"scan"_s, tr("&Scan"), u"connection.scan"_s);
+    m_recover = addButton(u"search"_s, tr("&Recover"), u"connection.recover"_s);
     m_powerCycle = addButton(u"refresh"_s, tr("Power c&ycle"), u"connection.powerCycle"_s);
     m_disconnect->setToolTip(tr("Stops all three motors, then closes the port."));
     m_scanButton->setToolTip(tr("Tries every baud rate and error detection on this port, the most "
                                 "likely first, until a controller answers."));
+    m_recover->setToolTip(tr("Finds a lost controller: tries the settings that worked last, then "
+                             "every other, and connects with those that answer. Nothing that it "
+                             "sends can move a motor."));
     m_powerCycle->setToolTip(tr("Switches the simulated controller off and on again."));
     connect(m_connect, &QPushButton::clicked, this, &ConnectionPanel::openLine);
     connect(m_disconnect, &QPushButton::clicked, &context().controller, &Controller::close);
     connect(m_scanButton, &QPushButton::clicked, this, &ConnectionPanel::toggleScan);
+    connect(m_recover, &QPushButton::clicked, this, &ConnectionPanel::toggleRecover);
     connect(m_powerCycle, &QPushButton::clicked, &context().controller,
             &Controller::powerCycleSimulator);
     auto* grid = new QGridLayout;
@@ -128,7 +125,8 @@ void ConnectionPanel::buildButtons(QVBoxLayout& layout)
     grid->addWidget(m_connect, 0, 0);
     grid->addWidget(m_disconnect, 0, 1);
     grid->addWidget(m_scanButton, 1, 0);
-    grid->addWidget(m_powerCycle, 1, 1);
+    grid->addWidget(m_recover, 1, 1);
+    grid->addWidget(m_powerCycle, 2, 0);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
     layout.addLayout(grid);
@@ -183,12 +181,42 @@ void ConnectionPanel::toggleScan()
 {
     if (isScanning()) {
         m_scan->cancel();
+    } else if (checkPort()) {
+        m_isRecovering = false;
+        startScan();
+    }
+}
+
+void ConnectionPanel::toggleRecover()
+{
+    if (isScanning()) {
+        m_scan->cancel();
         return;
     }
     if (!checkPort()) {
         return;
     }
-    m_scan = new Scan({.port = m_port->address(), .line = m_line->settings()}, this);
+    m_isRecovering = true;
+    Controller& controller = context().controller;
+    if (controller.state() == LinkState::Disconnected) {
+        startScan();
+        return;
+    }
+    connect(&controller, &Controller::closed, this, &ConnectionPanel::startScan,
+            Qt::SingleShotConnection);
+    controller.closeQuietly(); // its settings are in doubt: nothing more is said with them
+}
+
+void ConnectionPanel::startScan()
+{
+    m_change.cancel();
+    const LineSettingsStore store(context().settings.file());
+    std::vector<LineSettings> remembered;
+    if (const auto line = store.lastGood(m_port->address())) {
+        remembered.push_back(*line);
+    }
+    m_scan = new Scan(
+        {.port = m_port->address(), .line = m_line->settings(), .remembered = remembered}, this);
     connect(m_scan, &Scan::progressed, this, &ConnectionPanel::showScan);
     connect(m_scan, &Scan::finished, this, &ConnectionPanel::onScanFinished);
     m_scan->start();
@@ -210,32 +238,54 @@ void ConnectionPanel::showScan(int done, int total, const QString& text)
 void ConnectionPanel::onScanFinished(const Result<void>& result)
 {
     const std::vector<ScanHit> hits = m_scan->hits();
+    const LineAnswer heard = m_scan->heard();
     m_scan->deleteLater(); // it is the sender
     m_scan = nullptr;
-    if (!hits.empty()) {
-        const ScanHit& hit = hits.front();
-        const LineSettings line = hit.line(m_line->settings());
-        m_line->setSettings(line);
-        m_notice = tr("Found a %1, firmware %2, at %3, device number %4. Press Connect.")
-                       .arg(hit.signature.modelName(), hit.signature.firmware(), lineText(line))
-                       .arg(hit.device);
-    } else if (result || result.error().code == ErrorCode::NoReply) {
-        m_notice = tr("No controller answered on %1 at any speed. Check the controller's power, "
-                      "that ground and both data wires are connected, and that they are not "
-                      "swapped; then scan again or choose another port.")
-                       .arg(shortPortName(m_port->address()));
-    } else if (result.error().code == ErrorCode::Cancelled) {
-        m_notice = tr("Scan cancelled. Nothing was found so far.");
-    } else {
-        m_notice = errorText(result.error());
-    }
-    if (context().controller.state() != LinkState::Disconnected) {
+    const bool isFree = context().controller.state() == LinkState::Disconnected;
+    if (!isFree) {
         m_notice.clear(); // the scan gave way to a connection
+    } else if (!hits.empty()) {
+        adopt(hits.front());
+    } else {
+        m_notice = failureText(result, heard);
     }
     refresh();
-    if (!hits.empty()) {
+    if (!hits.empty() && isFree) {
         m_connect->setFocus();
     }
+}
+
+void ConnectionPanel::adopt(const ScanHit& hit)
+{
+    if (hit.status != 0) { // the probe has read and so cleared these bits: keep them
+        context().latch.record(StatusLatch::Byte::Status, hit.status,
+                               std::chrono::steady_clock::now());
+    }
+    const LineSettings line = hit.line(m_line->settings());
+    m_line->setSettings(line);
+    const QString text =
+        tr("Found a %1, firmware %2, at %3, device number %4.")
+            .arg(hit.signature.modelName(), hit.signature.firmware(), lineText(line))
+            .arg(hit.device);
+    context().log.add(EventLog::Information, text);
+    if (m_isRecovering) {
+        context().controller.open({.port = m_port->address(), .line = line});
+    } else {
+        m_notice = tr("%1 Press Connect.").arg(text);
+    }
+}
+
+QString ConnectionPanel::failureText(const Result<void>& result, LineAnswer heard) const
+{
+    if (!result && result.error().code == ErrorCode::Cancelled) {
+        return tr("Scan cancelled. Nothing was found so far.");
+    }
+    if (!result && result.error().code != ErrorCode::NoReply) {
+        return errorText(result.error());
+    }
+    const QString text = tr("No controller answered on %1 at any speed. %2")
+                             .arg(shortPortName(m_port->address()), wiringAdvice(heard));
+    return m_isRecovering ? text + u"\n\n"_s + vendorResetText() : text;
 }
 
 void ConnectionPanel::onStateChanged()
@@ -267,8 +317,12 @@ void ConnectionPanel::refresh()
     m_line->setEnabled(isClosed && !isScanning());
     m_connect->setEnabled(isClosed && !isScanning());
     m_disconnect->setEnabled(!isClosed);
-    m_scanButton->setEnabled(isClosed);
-    m_scanButton->setText(isScanning() ? tr("Cancel &scan") : tr("&Scan"));
+    const bool isRecovering = isScanning() && m_isRecovering;
+    m_scanButton->setEnabled(isClosed && !m_change.isBusy() && !isRecovering);
+    m_scanButton->setText(isScanning() && !isRecovering ? tr("Cancel &scan") : tr("&Scan"));
+    m_recover->setEnabled(controller.state() != LinkState::Connected && !m_change.isBusy()
+                          && (!isScanning() || isRecovering));
+    m_recover->setText(isRecovering ? tr("Cancel sea&rch") : tr("&Recover"));
     m_powerCycle->setVisible(!isClosed && isSimulator(controller.options().port));
     const QString advice = adviceText();
     m_advice->setText(advice);
@@ -325,7 +379,8 @@ QString ConnectionPanel::tipFor(const Error& error) const
     const bool isTrying =
         controller.state() == LinkState::Lost || controller.state() == LinkState::Retrying;
     if (isTrying) {
-        return tr("It is tried again by itself until you disconnect.");
+        return tr("It is tried again by itself until you disconnect. Recover looks for it at every "
+                  "speed.");
     }
     const bool isSilent = error.code == ErrorCode::NoReply || error.code == ErrorCode::Garbage
         || error.code == ErrorCode::ShortReply;
@@ -334,7 +389,7 @@ QString ConnectionPanel::tipFor(const Error& error) const
     }
     if (isSilent) {
         return tr("A controller fresh from the factory talks at 19200 baud without error "
-                  "detection.");
+                  "detection. Recover looks for it at every speed.");
     }
     return {};
 }

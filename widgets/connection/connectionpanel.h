@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/procedures/linechange.h"
 #include "protocol/procedures/scan.h"
 #include "widgets/common/panel.h"
 
@@ -14,8 +15,9 @@ class LineForm;
 class LinkStateLabel;
 class PortBox;
 
-/// Which port, how the line is set, connect and disconnect, the search for unknown line settings,
-/// and what is wrong and what to try when it fails. GUI thread.
+/// Which port, how the line is set, connect and disconnect, the search for unknown line settings
+/// (Scan fills them in, Recover connects with them), a change of the controller's own line
+/// settings, and what is wrong and what to try when it fails. GUI thread.
 class ConnectionPanel : public Panel {
     Q_OBJECT
 
@@ -30,6 +32,10 @@ private:
     void fillFrom(const QString& port); ///< with the settings that last worked there, if any
     void openLine();
     void toggleScan();
+    void toggleRecover();
+    void startScan();
+    void adopt(const ScanHit& hit);
+    [[nodiscard]] QString failureText(const Result<void>& result, LineAnswer heard) const;
     void onScanFinished(const Result<void>& result);
     void onStateChanged();
     void refresh();
@@ -46,9 +52,12 @@ private:
     QPushButton* m_connect = nullptr;
     QPushButton* m_disconnect = nullptr;
     QPushButton* m_scanButton = nullptr;
+    QPushButton* m_recover = nullptr;
     QPushButton* m_powerCycle = nullptr;
     QLabel* m_advice = nullptr;
     Scan* m_scan = nullptr; ///< a child while it runs
+    bool m_isRecovering = false; ///< what the scan finds is connected to
+    LineChange m_change;
     QString m_notice; ///< of this panel: a bad address, the end of a scan; "" when out of date
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/codec/parametertable.h"
+#include "widgets/parameters/parametervalue.h"
 
 #include <QWidget>
 
@@ -25,20 +25,29 @@ public:
     [[nodiscard]] int raw() const { return m_raw; } ///< −1: not known
     void setRaw(int raw) { emit edited(raw); }
     void showRaw(std::optional<int> raw); ///< without edited(); none: an en dash
+    /// What the value's text depends on beside it.
+    virtual void setContext(const ValueContext& /*context*/) { }
+    /// Shorter words where there is no room for the whole.
+    virtual void setCompact(bool /*isCompact*/) { }
 
 signals:
     void edited(int raw);
     void rawChanged(int raw);
+    /// A sentence about what was typed: why it is not taken, or how it was understood.
+    void remarked(const QString& sentence);
 
 protected:
     ParameterField(const ParameterRow& row, QWidget* parent);
     [[nodiscard]] const ParameterRow& row() const { return m_row; }
     virtual void display(std::optional<int> raw) = 0;
+    /// The number as stored, for the label behind the editor; empty where the editor says it.
+    [[nodiscard]] virtual QString storedText(int raw) const;
+    void refreshStored(); ///< storedText() is another one
     void addPart(QWidget* part, const QString& accessibleName);
 
 private:
     const ParameterRow& m_row;
-    QLabel* m_rawText;
+    QLabel* m_stored;
     int m_raw = -1;
 };
 

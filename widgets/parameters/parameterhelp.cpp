@@ -24,8 +24,7 @@ QString coloured(const QString& text, ColourRole role)
 
 QString parameterHelp(const ParameterModel& model, const ParameterRow& row)
 {
-    const QString number =
-        u"0x%1"_s.arg(QString::number(row.number, 16).toUpper().rightJustified(2, u'0'));
+    const QString number = hexText(row.number);
     QStringList lines{u"<b>%1</b> &nbsp;%2"_s.arg(
         QCoreApplication::translate("Parameters", row.title).toHtmlEscaped(),
         coloured(u"%1 · %2"_s.arg(keyText(row), number), ColourRole::DimText))};
@@ -39,13 +38,18 @@ QString parameterHelp(const ParameterModel& model, const ParameterRow& row)
     }
     lines << help;
     lines << ParameterHelp::tr("Range: %1. Default: %2, %3.")
-                 .arg(rangeText(row), defaultText(row), gradeText(row.defaultGrade))
+                 .arg(rangeText(row, model.controllerModel()), defaultText(row, model.context(row)),
+                      gradeText(row.defaultGrade))
                  .toHtmlEscaped()
             + u' '
             + (row.needsReset ? ParameterHelp::tr("Acts after a power cycle.")
                               : ParameterHelp::tr("Acts at once."))
                   .toHtmlEscaped();
-    lines << coloured(ParameterHelp::tr("Source: %1").arg(QString::fromLatin1(row.source)),
+    if (displayUnit(row, model.controllerModel()).isGuess) {
+        lines << ParameterHelp::tr("≈ The scale in amperes is inferred for the TReX.");
+    }
+    lines << coloured(ParameterHelp::tr("Meaning %1. Source: %2")
+                          .arg(gradeText(row.meaningGrade), QString::fromLatin1(row.source)),
                       ColourRole::DimText);
     return lines.join(u"<br>"_s);
 }

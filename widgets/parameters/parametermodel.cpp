@@ -2,23 +2,12 @@
 #include "widgets/parameters/parametermodel.h"
 
 #include "protocol/errortext.h"
-#include "widgets/common/theme.h"
-#include "widgets/parameters/parametersign.h"
-
-#include <QCoreApplication>
-#include <QFontMetrics>
-#include <QSize>
 
 #include <algorithm>
 
 using namespace Qt::Literals::StringLiterals;
 
 namespace trex {
-namespace {
-
-constexpr quintptr kGroupId = 0; ///< internal id of a group; a parameter has its group's row + 1
-
-} // namespace
 
 ParameterModel::ParameterModel(QObject* parent) : QAbstractItemModel(parent)
 {
@@ -99,6 +88,33 @@ ParameterModel::State ParameterModel::state(std::uint8_t number) const
                                                                      : State::Differs;
 }
 
+bool ParameterModel::matches(std::uint8_t number, Filter filter) const
+{
+    switch (filter) {
+    case Filter::All:
+        break;
+    case Filter::Changed:
+        return isEdited(number) || m_refusals.contains(number);
+    case Filter::NotDefault:
+        return shown(number) && *shown(number) != findParameter(int{number})->defaultRaw;
+    case Filter::PowerCycle:
+        return findParameter(int{number})->needsReset || m_pending.contains(number);
+    }
+    return true;
+}
+
+ValueContext ParameterModel::context(const ParameterRow& row) const
+{
+    const auto* const maximum = pwmMaximumFor(row);
+    return {m_controllerModel, maximum == nullptr ? std::nullopt : shown(maximum->number)};
+}
+
+ValueContext ParameterModel::deviceContext(const ParameterRow& row) const
+{
+    const auto* const maximum = pwmMaximumFor(row);
+    return {m_controllerModel, maximum == nullptr ? std::nullopt : device(maximum->number)};
+}
+
 QStringList ParameterModel::advice(std::uint8_t number) const
 {
     QStringList sentences;
@@ -147,9 +163,18 @@ Result<void> ParameterModel::edit(std::uint8_t number, int raw)
         m_edits[number] = raw;
     }
     m_refusals.erase(number);
-    rowChanged(number);
+    rowAndItsPrescalerChanged(number);
     emit editsChanged();
     return {};
+}
+
+void ParameterModel::revert(std::uint8_t number)
+{
+    m_refusals.erase(number);
+    if (m_edits.erase(number) > 0) {
+        rowAndItsPrescalerChanged(number);
+        emit editsChanged();
+    }
 }
 
 void ParameterModel::revert()
@@ -157,7 +182,7 @@ void ParameterModel::revert()
     const auto edits = std::exchange(m_edits, {});
     const auto refusals = std::exchange(m_refusals, {});
     for (const auto& [number, raw] : edits) {
-        rowChanged(number);
+        rowAndItsPrescalerChanged(number);
     }
     for (const auto& [number, sentence] : refusals) {
         rowChanged(number);
@@ -180,7 +205,14 @@ void ParameterModel::setDevice(std::uint8_t number, std::optional<int> raw)
         emit editsChanged();
     }
     if (before != raw || raw) {
-        rowChanged(number);
+        rowAndItsPrescalerChanged(number);
+    }
+}
+
+void ParameterModel::setControllerModel(Model model)
+{
+    if (std::exchange(m_controllerModel, model) != model) {
+        refreshAll();
     }
 }
 
@@ -234,115 +266,14 @@ void ParameterModel::rowChanged(std::uint8_t number)
     }
 }
 
-QModelIndex ParameterModel::index(int row, int column, const QModelIndex& parent) const
+void ParameterModel::rowAndItsPrescalerChanged(std::uint8_t number)
 {
-    if (!hasIndex(row, column, parent)) {
-        return {};
-    }
-    return createIndex(row, column,
-                       parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : kGroupId);
-}
-
-QModelIndex ParameterModel::parent(const QModelIndex& child) const
-{
-    if (!child.isValid() || child.internalId() == kGroupId) {
-        return {};
-    }
-    return createIndex(static_cast<int>(child.internalId()) - 1, 0, kGroupId);
-}
-
-int ParameterModel::rowCount(const QModelIndex& parent) const
-{
-    if (!parent.isValid()) {
-        return static_cast<int>(m_groups.size());
-    }
-    return parent.internalId() == kGroupId && parent.column() == 0
-        ? static_cast<int>(m_groups.at(static_cast<std::size_t>(parent.row())).rows.size())
-        : 0;
-}
-
-int ParameterModel::columnCount(const QModelIndex& /*parent*/) const
-{
-    return ColumnCount;
-}
-
-Qt::ItemFlags ParameterModel::flags(const QModelIndex& index) const
-{
-    const auto* const row = rowAt(index);
-    if (row == nullptr) {
-        return index.isValid() ? Qt::ItemIsEnabled : Qt::NoItemFlags;
-    }
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
-}
-
-QVariant ParameterModel::data(const QModelIndex& index, int role) const
-{
-    const auto* const row = rowAt(index);
-    if (row == nullptr) {
-        const bool isTitle = index.isValid() && index.column() == 0;
-        if (isTitle && role == Qt::DisplayRole) {
-            const auto& group = m_groups.at(static_cast<std::size_t>(index.row()));
-            return QCoreApplication::translate("Parameters", group.title);
+    rowChanged(number);
+    for (const auto& row : kParameters) {
+        const auto* const maximum = pwmMaximumFor(row);
+        if (maximum != nullptr && maximum->number == number) {
+            rowChanged(row.number); // its frequency is another one
         }
-        if (isTitle && role == Qt::SizeHintRole) {
-            constexpr int kRoomAbove = 12;
-            return QSize(0, QFontMetrics(boldFont()).height() + kRoomAbove);
-        }
-        return isTitle && role == Qt::FontRole ? QVariant(boldFont()) : QVariant();
-    }
-    const auto value = shown(row->number);
-    switch (role) {
-    case Qt::DisplayRole:
-        return text(*row, index.column());
-    case Qt::AccessibleTextRole:
-        return index.column() == ValueColumn ? (value ? valueWithRaw(*row, *value) : tr("not read"))
-                                             : text(*row, index.column());
-    case Qt::EditRole:
-        return index.column() == ValueColumn && value ? QVariant(*value) : QVariant();
-    case Qt::ToolTipRole:
-        return toolTip(*row);
-    case Qt::DecorationRole:
-        return index.column() == TitleColumn ? QVariant(parameterSign(state(row->number)))
-                                             : QVariant();
-    case Qt::FontRole:
-        return index.column() == TitleColumn && isEdited(row->number) ? QVariant(boldFont())
-                                                                      : QVariant();
-    case Qt::ForegroundRole:
-        return parameterColour(state(row->number), index.column());
-    default:
-        return {};
-    }
-}
-
-bool ParameterModel::setData(const QModelIndex& index, const QVariant& value, int role)
-{
-    const auto* const row = rowAt(index);
-    bool isNumber = false;
-    const int raw = value.toInt(&isNumber);
-    return row != nullptr && index.column() == ValueColumn && role == Qt::EditRole && isNumber
-        && edit(row->number, raw).has_value();
-}
-
-QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (section) {
-    case TitleColumn:
-        return tr("Parameter");
-    case ValueColumn:
-        return tr("Value");
-    case DeviceColumn:
-        return tr("In controller");
-    case DefaultColumn:
-        return tr("Default");
-    case RangeColumn:
-        return tr("Range");
-    case StateColumn:
-        return tr("State");
-    default:
-        return {};
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "protocol/storage/configfile.h"
 #include "protocol/storage/settingsadvice.h"
+#include "widgets/parameters/parametervalue.h"
 
 #include <QAbstractItemModel>
 
@@ -24,10 +25,12 @@ public:
         DeviceColumn,
         DefaultColumn,
         RangeColumn,
+        SourceColumn,
         ColumnCount
     };
     /// What stands out about a row, the most urgent that holds.
     enum class State { AtDefault, Unread, Differs, Advised, Pending, Edited, Refused };
+    enum class Filter { All, Changed, NotDefault, PowerCycle };
 
     explicit ParameterModel(QObject* parent = nullptr);
 
@@ -39,9 +42,14 @@ public:
     [[nodiscard]] bool isEdited(std::uint8_t number) const; ///< not (known to be) in the controller
     [[nodiscard]] State state(std::uint8_t number) const;
     [[nodiscard]] QString stateText(std::uint8_t number) const; ///< a word, or two
+    [[nodiscard]] bool matches(std::uint8_t number, Filter filter) const;
     [[nodiscard]] QStringList advice(std::uint8_t number) const;
     /// Sentences about the row as it is: a refusal, advice, what waits for a power cycle.
     [[nodiscard]] QStringList remarks(std::uint8_t number) const;
+    /// What the row's value goes with, as edited.
+    [[nodiscard]] ValueContext context(const ParameterRow& row) const;
+    [[nodiscard]] ValueContext deviceContext(const ParameterRow& row) const; ///< as read
+    [[nodiscard]] Model controllerModel() const { return m_controllerModel; }
     [[nodiscard]] const ParameterValues& edits() const { return m_edits; }
     [[nodiscard]] ParameterValues
     wanted() const; ///< the controller's values with the edits in them
@@ -49,6 +57,8 @@ public:
     /// The one way in for values that a person chose. Errors: OutOfRange, and nothing changes.
     Result<void> edit(std::uint8_t number, int raw);
     void revert();
+    void revert(std::uint8_t number); ///< one row only
+    void setControllerModel(Model model);
     void setDevice(std::uint8_t number, std::optional<int> raw);
     void setPending(std::uint8_t number, bool pending);
     void setAdvice(const std::vector<Advice>& advice);
@@ -70,6 +80,8 @@ signals:
     void editsChanged();
 
 private:
+    /// Internal id of a group's index; a parameter has its group's row + 1.
+    static constexpr quintptr kGroupId = 0;
     struct Group {
         const char* title;
         std::vector<const ParameterRow*> rows;
@@ -77,6 +89,7 @@ private:
     [[nodiscard]] QString text(const ParameterRow& row, int column) const;
     [[nodiscard]] QString toolTip(const ParameterRow& row) const;
     void rowChanged(std::uint8_t number);
+    void rowAndItsPrescalerChanged(std::uint8_t number);
 
     std::vector<Group> m_groups;
     ParameterValues m_device;
@@ -84,15 +97,7 @@ private:
     std::set<std::uint8_t> m_pending;
     std::map<std::uint8_t, QString> m_refusals;
     std::vector<Advice> m_advice;
+    Model m_controllerModel = Model::TrexJr;
 };
-
-/// "500 ms (5)": a value in its unit with the raw number beside it, once where both are the same.
-[[nodiscard]] QString valueWithRaw(const ParameterRow& row, int raw);
-/// "0 to 12700 ms": what the controller takes.
-[[nodiscard]] QString rangeText(const ParameterRow& row);
-/// The default with a sign when it is a guess: "≈ 0 ms (0)".
-[[nodiscard]] QString defaultText(const ParameterRow& row);
-/// "documented", "observed", "inferred": how sure the table is.
-[[nodiscard]] QString gradeText(Grade grade);
 
 } // namespace trex

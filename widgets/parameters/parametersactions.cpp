@@ -4,14 +4,14 @@
 #include "protocol/errortext.h"
 #include "protocol/session/controller.h"
 #include "widgets/common/eventlog.h"
-#include "widgets/common/filedialogs.h"
 #include "widgets/common/theme.h"
 #include "widgets/parameters/configbackup.h"
 #include "widgets/parameters/parameterspanel.h"
 #include "widgets/parameters/parametertable.h"
+#include "widgets/parameters/writepreview.h"
 
+#include <QAction>
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -78,39 +78,14 @@ TransferPlan ParametersPanel::plan() const
                         wanted, device.mode ? std::optional(inputOf(*device.mode)) : std::nullopt);
 }
 
-QString ParametersPanel::pendingText(const TransferPlan& plan) const
-{
-    if (plan.writes.empty()) {
-        return (QStringList(tr("Nothing to write.")) + plan.leftOut).join(u'\n');
-    }
-    QStringList changes;
-    QStringList late;
-    QStringList advice;
-    for (const auto& write : plan.writes) {
-        changes << write.text();
-        if (write.row == nullptr) {
-            continue;
-        }
-        if (write.needsReset()) {
-            late << write.title();
-        }
-        for (const auto& remark : m_model.advice(write.row->number)) {
-            advice << u"▲ "_s + remark;
-        }
-    }
-    QStringList lines{tr("Will be written: %1.").arg(changes.join(u"; "_s))};
-    if (!late.isEmpty()) {
-        lines << tr("Needs a power cycle afterwards: %1.").arg(late.join(u", "_s));
-    }
-    return (lines + advice + plan.leftOut).join(u'\n');
-}
-
 void ParametersPanel::refresh()
 {
+    keepDraft();
     const auto& controller = context().controller;
     m_model.setAdvice(
         adviceOn(presentConfiguration(controller, context().deviceSettings).parameters,
-                 m_model.wanted(), controller.options().line, controller.model()));
+                 m_model.wanted(), controller.options().line, controller.model(), m_numbersInUse));
+    m_model.setControllerModel(controller.model());
     for (const auto& row : kParameters) {
         m_model.setPending(row.number, context().deviceSettings.isPending(row.number));
     }
@@ -121,7 +96,7 @@ void ParametersPanel::refresh()
     m_banner->setVisible(!banner.isEmpty());
     colourText(m_banner, banner.contains(u'▲') ? ColourRole::Warning : ColourRole::Text);
     const auto planned = plan();
-    m_pending->setText(pendingText(planned));
+    m_pending->setText(writePreview(planned, m_model, controller.options().line));
     fitPending();
     const bool isIdle = !m_transfer.isBusy();
     const bool isRead = isIdle && controller.state() == LinkState::Connected;
@@ -134,7 +109,9 @@ void ParametersPanel::refresh()
     m_load->setEnabled(reason.isEmpty());
     m_revert->setEnabled(hasEdits && isIdle);
     m_apply->setEnabled(reason.isEmpty() && !planned.writes.empty());
-    for (auto* const button : {m_defaults, m_load, m_apply}) {
+    m_factoryReset->setEnabled(reason.isEmpty());
+    m_rollback->setEnabled(reason.isEmpty());
+    for (auto* const button : {m_defaults, m_load, m_apply, m_rollback}) {
         button->setAccessibleDescription(reason);
     }
 }
@@ -147,7 +124,7 @@ void ParametersPanel::apply()
     }
     const auto present = presentConfiguration(context().controller, context().deviceSettings);
     if (!m_isBackedUp && !m_mayGoWithoutBackup && !isComplete(present)) {
-        m_appliesAfterRead = true; // the backup wants everything
+        m_afterRead = [this] { apply(); }; // the backup wants everything
         readAll();
         return;
     }
@@ -159,29 +136,59 @@ void ParametersPanel::apply()
 void ParametersPanel::writePlan()
 {
     tell(EventLog::Information, {});
+    closeDifferences();
+    offerToPutBack({});
     m_model.clearRefusals();
     m_isWriting = true;
-    const auto planned = plan();
-    m_transfer.write(planned);
+    m_transfer.write(plan(), ConfigTransfer::OnFailure::Stop);
     refresh();
+}
+
+void ParametersPanel::offerToPutBack(const std::vector<SettingWrite>& written)
+{
+    m_toPutBack = written;
+    m_rollback->setText(written.size() == 1 ? tr("Put &back 1 value")
+                                            : tr("Put &back %1 values").arg(written.size()));
+    m_rollback->setVisible(!written.empty());
+    m_keep->setVisible(!written.empty());
+}
+
+void ParametersPanel::putBack()
+{
+    if (!blockReason().isEmpty() || m_toPutBack.empty()) {
+        refresh();
+        return;
+    }
+    const auto written = m_toPutBack;
+    offerToPutBack({});
+    m_isWriting = true;
+    m_transfer.putBack(written);
+    refresh();
+}
+
+Result<QString> ParametersPanel::backUpNow()
+{
+    const auto present = presentConfiguration(context().controller, context().deviceSettings);
+    auto path = backUpConfiguration(present, backupFolder(context().settings));
+    if (path) {
+        m_isBackedUp = true;
+        context().log.add(EventLog::Information,
+                          tr("The settings as they were are saved in %1.").arg(*path));
+    }
+    return path;
 }
 
 bool ParametersPanel::backUp()
 {
-    const auto present = presentConfiguration(context().controller, context().deviceSettings);
-    const auto path = backUpConfiguration(present, backupFolder(context().settings));
+    const auto path = backUpNow();
     if (!path) {
         m_mayGoWithoutBackup = true;
         tell(EventLog::Failure,
              tr("Nothing is written to the controller, because the present settings could not be "
                 "saved first: %1 Apply once more to write without that copy.")
                  .arg(errorText(path.error())));
-        return false;
     }
-    m_isBackedUp = true;
-    context().log.add(EventLog::Information,
-                      tr("The settings as they were are saved in %1.").arg(*path));
-    return true;
+    return path.has_value();
 }
 
 void ParametersPanel::onFinished(const TransferOutcome& outcome)
@@ -199,13 +206,24 @@ void ParametersPanel::onFinished(const TransferOutcome& outcome)
         m_model.setRefusal(outcome.failed->row->number, errorText(*outcome.error));
         m_table->setCurrentIndex(m_model.indexOf(outcome.failed->row->number));
     }
-    if (!outcome.error) {
+    const bool wasPuttingBack = !outcome.restored.empty() || !outcome.notRestored.empty();
+    if (!outcome.error && !wasPuttingBack) {
         m_calibrations.clear();
     }
-    tell(!outcome.error                                    ? EventLog::Information
-             : outcome.error->code == ErrorCode::Cancelled ? EventLog::Warning
-                                                           : EventLog::Failure,
-         outcome.text());
+    QString text = outcome.text();
+    if (!outcome.error && !outcome.restored.empty()) {
+        text += u' ' + tr("What you wanted stands as an edit again.");
+    }
+    if (outcome.error && !outcome.toPutBack().empty()) {
+        text += u' ' + tr("Put it back, or keep it?");
+    }
+    m_isInDoubt = outcome.failedMayHold || !outcome.notRestored.empty();
+    offerToPutBack(outcome.error ? outcome.toPutBack() : std::vector<SettingWrite>{});
+    const bool isWarning = outcome.error ? outcome.error->code == ErrorCode::Cancelled : false;
+    tell(isWarning                                           ? EventLog::Warning
+             : outcome.error || !outcome.notRestored.empty() ? EventLog::Failure
+                                                             : EventLog::Information,
+         text);
     refresh();
     if (m_readsAgain && context().controller.state() == LinkState::Connected) {
         readAll();
@@ -215,99 +233,15 @@ void ParametersPanel::onFinished(const TransferOutcome& outcome)
 void ParametersPanel::revert()
 {
     m_calibrations.clear();
+    closeDifferences();
     tell(EventLog::Information, {});
     m_model.revert();
+    refresh(); // calibrations are no edits of the model
 }
 
-void ParametersPanel::fillDefaults()
+void ParametersPanel::setNumbersInUse(const std::set<int>& numbers)
 {
-    int guesses = 0;
-    for (const auto& row : kParameters) {
-        if (!row.isTrigger && m_model.device(row.number)) {
-            static_cast<void>(m_model.edit(row.number, row.defaultRaw));
-            guesses += isGuess(row.defaultGrade) && m_model.isEdited(row.number) ? 1 : 0;
-        }
-    }
-    QString sentence = tr("The factory defaults are filled in; nothing is written before Apply.");
-    if (guesses > 0) {
-        sentence += u' '
-            + tr("Of the values that would change, %1 are marked ≈: the vendor does not state "
-                 "them, "
-                 "they are guesses.")
-                  .arg(guesses);
-    }
-    tell(guesses > 0 ? EventLog::Warning : EventLog::Information, sentence);
-}
-
-void ParametersPanel::save()
-{
-    const auto& signature = context().controller.device().signature;
-    const QString suggestion =
-        u"%1-%2.json"_s.arg(signature ? signature->modelName().remove(u' ').toLower() : u"trex"_s,
-                            QDate::currentDate().toString(Qt::ISODate));
-    context().fileDialogs.askSave(this, tr("Save the controller's settings"), suggestion,
-                                  tr("Configuration (*.json)"),
-                                  [this](const QString& path) { saveTo(path); });
-}
-
-void ParametersPanel::saveTo(const QString& path)
-{
-    const auto present = presentConfiguration(context().controller, context().deviceSettings);
-    if (!isComplete(present)) {
-        tell(EventLog::Failure,
-             tr("Nothing is saved: not all settings are read from the controller. Reload, then "
-                "save again."));
-        return;
-    }
-    if (const auto saved = saveConfiguration(present, path); !saved) {
-        tell(EventLog::Failure, errorText(saved.error()));
-        return;
-    }
-    const QString name = QFileInfo(path).fileName();
-    tell(EventLog::Information,
-         m_model.edits().empty()
-             ? tr("What is in the controller is saved in %1.").arg(name)
-             : tr("What is in the controller is saved in %1; edits that are not applied are not in "
-                  "it.")
-                   .arg(name));
-}
-
-void ParametersPanel::load()
-{
-    context().fileDialogs.askOpen(this, tr("Load settings"), tr("Configuration (*.json)"),
-                                  [this](const QString& path) { loadFrom(path); });
-}
-
-void ParametersPanel::loadFrom(const QString& path)
-{
-    const auto configuration = loadConfiguration(path);
-    if (!configuration) {
-        tell(EventLog::Failure, errorText(configuration.error()));
-        return;
-    }
-    m_model.revert(); // from here on the edits are those of the file
-    QStringList absent;
-    for (const auto& [number, raw] : configuration->parameters) {
-        if (!m_model.device(number)) {
-            absent << QCoreApplication::translate("Parameters", findParameter(int{number})->title);
-            continue;
-        }
-        static_cast<void>(m_model.edit(number, raw));
-    }
-    m_calibrations = configuration->calibrations;
-    QStringList sentences{
-        plan().writes.empty()
-            ? tr("%1 says what is in the controller already.").arg(QFileInfo(path).fileName())
-            : tr("%1 is filled in; nothing is written before Apply.")
-                  .arg(QFileInfo(path).fileName())};
-    if (!absent.isEmpty()) {
-        sentences << tr("Left out, since this controller does not have them: %1.")
-                         .arg(absent.join(u", "_s));
-    }
-    if (const QString remark = remarkOn(*configuration); !remark.isEmpty()) {
-        sentences << remark;
-    }
-    tell(sentences.size() > 1 ? EventLog::Warning : EventLog::Information, sentences.join(u' '));
+    m_numbersInUse = numbers;
     refresh();
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 using State = ParameterModel::State;
 
-/// Edited: a filled lozenge. Not default: a small dot. Waits for a power cycle: a broken ring.
+/// Edited: a filled lozenge. Not default: a small dot; default: a small ring. Waits for a power
+/// cycle: a broken ring.
 void drawOwnShape(QPainter& painter, const QRectF& rect, State state)
 {
     const QPointF centre = rect.center();
@@ -28,6 +29,10 @@ void drawOwnShape(QPainter& painter, const QRectF& rect, State state)
         painter.setPen(Qt::NoPen);
         painter.setBrush(theme::colour(ColourRole::DimText));
         painter.drawEllipse(centre, 2.5, 2.5);
+    } else if (state == State::AtDefault) {
+        painter.setPen(QPen(theme::colour(ColourRole::Stale), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(centre, 2.0, 2.0);
     } else if (state == State::Pending) {
         constexpr int kSixteenths = 16; // QPainter counts angles so
         painter.setPen(QPen(theme::colour(ColourRole::Warning), 1.8));
@@ -72,7 +77,8 @@ QPixmap parameterSign(State state)
 
 QVariant parameterColour(State state, int column)
 {
-    if (column == ParameterModel::DefaultColumn || column == ParameterModel::RangeColumn) {
+    if (column == ParameterModel::DefaultColumn || column == ParameterModel::RangeColumn
+        || column == ParameterModel::SourceColumn) {
         return theme::colour(ColourRole::DimText);
     }
     if (column != ParameterModel::StateColumn) {

@@ -10,7 +10,7 @@
 namespace trex {
 
 /// The sign at the head of a row: a shape of its own for each state, so that colour is never the
-/// only one. Empty for a value as it came from the factory.
+/// only one.
 [[nodiscard]] QPixmap parameterSign(ParameterModel::State state);
 /// Text colour of a cell; invalid: the usual one.
 [[nodiscard]] QVariant parameterColour(ParameterModel::State state, int column);

@@ -6,8 +6,13 @@
 #include "widgets/common/theme.h"
 #include "widgets/parameters/parametermodel.h"
 
+#include <functional>
+
+class QAction;
+class QComboBox;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QProgressBar;
 class QPushButton;
 class QScrollArea;
@@ -18,7 +23,8 @@ namespace trex {
 class ParameterTable;
 
 /// Every configuration parameter, read when connected, edited here, written when asked: only what
-/// differs, each read back, all or nothing. GUI thread.
+/// differs, each read back; at the first failure it stops, and what was written can be put back.
+/// GUI thread.
 class ParametersPanel : public Panel {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(ParametersPanel)
@@ -26,6 +32,9 @@ class ParametersPanel : public Panel {
 public:
     explicit ParametersPanel(PanelContext& context, QWidget* parent = nullptr);
     ~ParametersPanel() override;
+
+    /// Device numbers that are known to answer on this line, for the advice on a new one.
+    void setNumbersInUse(const std::set<int>& numbers);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -35,6 +44,7 @@ protected:
 
 private:
     void buildTools();
+    void buildMore();
     void buildTable();
     void buildFooter();
     void connectContext();
@@ -48,7 +58,6 @@ private:
     void refreshHelp();
     [[nodiscard]] QString blockReason() const; ///< empty: values may be changed
     [[nodiscard]] QString bannerText() const;
-    [[nodiscard]] QString pendingText(const TransferPlan& plan) const;
     [[nodiscard]] TransferPlan plan() const;
     void colourMessage();
     static void colourText(QLabel* label, ColourRole role);
@@ -58,18 +67,38 @@ private:
     void apply();
     void writePlan();
     [[nodiscard]] bool backUp(); ///< false: could not be written, and told
+    /// As backUp(), anew each time. Returns the path.
+    [[nodiscard]] Result<QString> backUpNow();
     void onFinished(const TransferOutcome& outcome);
+    void offerToPutBack(const std::vector<SettingWrite>& written); ///< nothing: takes it back
+    void putBack();
     void revert();
     void fillDefaults();
+    void askFactoryReset();
+    void factoryReset();
+    void onFactoryReset(const Result<void>& reset, const QString& backup);
     void save();
     void saveTo(const QString& path);
     void load();
     void loadFrom(const QString& path);
+    void takeCalibrations(std::map<InputKind, std::map<int, Calibration>> calibrations);
+    void showDifferences(const QString& fileName, const QStringList& remarks);
+    void takeDifference(const SettingWrite& difference, bool isTaken);
+    void closeDifferences();
+    void keepDraft(); ///< for a panel that is made in this one's place
+    void takeDraft();
 
     ParameterModel m_model;
     ConfigTransfer m_transfer;
     std::map<InputKind, std::map<int, Calibration>> m_calibrations; ///< from a file, to be written
+    std::vector<SettingWrite> m_toPutBack; ///< written before a failure, and offered
+    Configuration m_draft; ///< edits as last kept
+    std::set<int> m_numbersInUse;
     QLineEdit* m_search;
+    QComboBox* m_filter;
+    QLabel* m_noRows;
+    QMenu* m_more;
+    QAction* m_factoryReset;
     QPushButton* m_reload;
     QPushButton* m_defaults;
     QPushButton* m_load;
@@ -83,13 +112,16 @@ private:
     QScrollArea* m_pendingArea;
     QProgressBar* m_progress;
     QPushButton* m_cancel;
+    QPushButton* m_rollback;
+    QPushButton* m_keep;
     QPushButton* m_revert;
     QPushButton* m_apply;
     int m_severity = 0; ///< of the message
     bool m_isWriting = false;
     bool m_isBackedUp = false; ///< in this connection
     bool m_mayGoWithoutBackup = false; ///< the person was told and asks again
-    bool m_appliesAfterRead = false;
+    bool m_isInDoubt = false; ///< the line was lost while writing: to be read back
+    std::function<void()> m_afterRead; ///< what waits for everything to be read
     bool m_readsAgain = false; ///< asked for while busy
 };
 

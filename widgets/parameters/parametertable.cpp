@@ -23,15 +23,20 @@ QString searchText(const ParameterRow& row)
     const auto words = [](const char* text) {
         return QCoreApplication::translate("Parameters", text);
     };
-    return u"%1 %2 0x%3 %4 %5 %6"_s.arg(
-        words(row.title), keyText(row), u"%1"_s.arg(row.number, 2, 16, QLatin1Char('0')),
-        QString::number(row.number), words(row.help), words(row.group));
+    return QStringList{words(row.title), keyText(row), words(row.help), words(row.group)}.join(
+        u' ');
 }
 
-bool holdsAll(const QString& text, const QStringList& words)
+/// A number is meant as a parameter's number, in decimal or hex; else a word that may stand
+/// anywhere.
+bool isFound(const ParameterRow& row, const QString& word)
 {
-    return std::ranges::all_of(
-        words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+    bool isNumber = false;
+    const bool isHex = word.startsWith("0x"_L1, Qt::CaseInsensitive);
+    const int number = (isHex ? word.mid(2) : word).toInt(&isNumber, isHex ? 16 : 10);
+    return (isNumber && number == row.number)
+        || (isHex && hexText(row.number).startsWith(word, Qt::CaseInsensitive))
+        || searchText(row).contains(word, Qt::CaseInsensitive);
 }
 
 } // namespace
@@ -60,6 +65,8 @@ ParameterTable::ParameterTable(ParameterModel& model, QWidget* parent)
     connect(&model, &ParameterModel::shownChanged, this, &ParameterTable::onShownChanged);
     connect(qApp, &QApplication::focusChanged, this,
             [this](QWidget* /*old*/, QWidget* now) { onFocusChanged(now); });
+    // A window that closes moves the focus once more, when the panel's model is gone already.
+    connect(&model, &QObject::destroyed, this, [this] { qApp->disconnect(this); });
 }
 
 /// A quiet selection: the editors stand on it.
@@ -91,6 +98,7 @@ void ParameterTable::addFields()
         field->setEnabled(false);
         m_fields[row.number] = field;
         setIndexWidget(index, field);
+        connect(field, &ParameterField::remarked, this, &ParameterTable::remarked);
         connect(field, &ParameterField::edited, this, [this, field, &row](int raw) {
             if (const auto done = m_model.edit(row.number, raw); !done) {
                 field->showRaw(m_model.shown(row.number));
@@ -105,47 +113,90 @@ void ParameterTable::setWidths()
     header()->setStretchLastSection(true);
     header()->setSectionsMovable(false);
     const auto wide = [this](const QString& sample) {
-        constexpr int kMargins = 20;
-        return fontMetrics().horizontalAdvance(sample) + kMargins;
+        const int margins = m_isCompact ? 8 : 20;
+        return fontMetrics().horizontalAdvance(sample) + margins;
     };
     int field = 0;
     for (const auto& [number, each] : m_fields) {
         field = std::max(field, each->sizeHint().width());
     }
-    setColumnWidth(ParameterModel::TitleColumn, wide(tr("Auxiliary motor PWM maximum")) + 24);
-    setColumnWidth(ParameterModel::ValueColumn, field + wide(u"(00)"_s)); // raw stands beside
+    const int sign = 2 * fontMetrics().averageCharWidth() + 8;
+    setColumnWidth(ParameterModel::TitleColumn, wide(tr("Auxiliary PWM maximum ≈")) + sign);
+    setColumnWidth(ParameterModel::ValueColumn, field + (m_isCompact ? 0 : wide(u"(00)"_s)));
     setColumnWidth(ParameterModel::StateColumn, wide(tr("power cycle")));
-    setColumnWidth(ParameterModel::DeviceColumn, wide(tr("channels 1, 2, 3 (00)")));
-    setColumnWidth(ParameterModel::DefaultColumn, wide(tr("≈ no channel (0)")));
+    setColumnWidth(ParameterModel::DeviceColumn,
+                   wide(m_isCompact ? tr("no channel (0)") : tr("channels 1, 2, 3 (00)")));
+    // The last one takes what is left; where that is little, its tool tip has the whole.
+    setColumnWidth(ParameterModel::DefaultColumn,
+                   wide(m_isCompact ? u"≈ 000"_s : tr("≈ no channel (0)")));
     setColumnWidth(ParameterModel::RangeColumn, wide(tr("channels 1 to 5")));
+    setColumnWidth(ParameterModel::SourceColumn, wide(tr("≈ inferred, quite sure")));
 }
 
+/// Where there is no room for all, words get shorter, and range and source go: the help and the
+/// tool tips have them, too, and a ≈ stays at what is not sure.
 void ParameterTable::resizeEvent(QResizeEvent* event)
 {
-    // Where there is no room for all, the range goes: the help has it, too.
-    int others = 0;
+    const int room = event->size().width();
+    constexpr int kRoomForNames = 1380;
+    if (const bool isCompact = room < kRoomForNames; isCompact != m_isCompact) {
+        m_isCompact = isCompact;
+        for (const auto& [number, field] : m_fields) {
+            field->setCompact(isCompact);
+        }
+        setWidths();
+    }
+    int used = 0;
     for (int column = 0; column < ParameterModel::RangeColumn; ++column) {
-        others += columnWidth(column);
+        used += columnWidth(column);
     }
     constexpr int kRange = 110;
-    setColumnHidden(ParameterModel::RangeColumn, event->size().width() < others + kRange);
+    constexpr int kSource = 150;
+    setColumnHidden(ParameterModel::SourceColumn, room < used + kSource);
+    setColumnHidden(ParameterModel::RangeColumn, room < used + kSource + kRange);
     QTreeView::resizeEvent(event);
 }
 
 void ParameterTable::search(const QString& text)
 {
-    const auto words = text.split(u' ', Qt::SkipEmptyParts);
+    m_words = text.split(u' ', Qt::SkipEmptyParts);
+    hideAndShow();
+}
+
+void ParameterTable::setFilter(ParameterModel::Filter filter)
+{
+    m_filter = filter;
+    hideAndShow();
+}
+
+bool ParameterTable::isWanted(const ParameterRow& row) const
+{
+    // The row that is being typed in stays, whatever its value is on the way.
+    const auto found = m_fields.find(row.number);
+    const auto* const focus = QApplication::focusWidget();
+    const bool isInUse =
+        found != m_fields.end() && focus != nullptr && found->second->isAncestorOf(focus);
+    return (isInUse || m_model.matches(row.number, m_filter))
+        && std::ranges::all_of(m_words, [&row](const QString& word) { return isFound(row, word); });
+}
+
+void ParameterTable::hideAndShow()
+{
     for (int group = 0; group < m_model.rowCount(); ++group) {
         const QModelIndex parent = m_model.index(group, 0);
         bool isAnyShown = false;
         for (int row = 0; row < m_model.rowCount(parent); ++row) {
-            const auto* const parameter = ParameterModel::rowAt(m_model.index(row, 0, parent));
-            const bool isShown = holdsAll(searchText(*parameter), words);
-            setRowHidden(row, parent, !isShown);
+            const bool isShown = isWanted(*ParameterModel::rowAt(m_model.index(row, 0, parent)));
+            if (isRowHidden(row, parent) == isShown) {
+                setRowHidden(row, parent, !isShown);
+            }
             isAnyShown = isAnyShown || isShown;
         }
-        setRowHidden(group, {}, !isAnyShown);
+        if (isRowHidden(group, {}) == isAnyShown) {
+            setRowHidden(group, {}, !isAnyShown);
+        }
     }
+    emit shownRowsChanged();
 }
 
 int ParameterTable::shownRows() const
@@ -183,8 +234,12 @@ void ParameterTable::onShownChanged(int number)
 {
     const auto found = m_fields.find(static_cast<std::uint8_t>(number));
     if (found != m_fields.end()) {
+        found->second->setContext(m_model.context(*findParameter(number)));
         found->second->showRaw(m_model.shown(found->first));
         found->second->setEnabled(m_reason.isEmpty() && m_model.device(found->first).has_value());
+    }
+    if (m_filter != ParameterModel::Filter::All) {
+        hideAndShow();
     }
 }
 
@@ -194,6 +249,9 @@ void ParameterTable::onFocusChanged(QWidget* now)
         if (now != nullptr && field->isAncestorOf(now)) {
             setCurrentIndex(m_model.indexOf(number));
         }
+    }
+    if (m_filter != ParameterModel::Filter::All) {
+        hideAndShow(); // the row that was kept for typing may go now
     }
 }
 

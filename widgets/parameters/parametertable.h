@@ -18,9 +18,11 @@ class ParameterTable : public QTreeView {
 public:
     explicit ParameterTable(ParameterModel& model, QWidget* parent = nullptr);
 
-    /// Shows the rows whose name, key, number, help or group holds every word of `text`.
+    /// Shows the rows whose name, key, number (7, 0x07), help or group holds every word of `text`.
     void search(const QString& text);
-    [[nodiscard]] int shownRows() const; ///< parameters that the search leaves
+    /// Of these, only the rows that the filter is for, as they are now and as they become.
+    void setFilter(ParameterModel::Filter filter);
+    [[nodiscard]] int shownRows() const; ///< parameters that search and filter leave
     /// Rows that were read can be edited when `reason` is empty; else it is every editor's tool
     /// tip.
     void setEditable(const QString& reason);
@@ -29,8 +31,10 @@ public:
 
 signals:
     void rowChosen(); ///< currentRow() changed
+    void shownRowsChanged();
     /// A value that the model does not take, with the sentence for the person.
     void editRejected(int number, const QString& sentence);
+    void remarked(const QString& sentence); ///< about what was typed
 
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
@@ -38,6 +42,8 @@ protected:
 
 private:
     void addFields();
+    void hideAndShow();
+    [[nodiscard]] bool isWanted(const ParameterRow& row) const;
     void setWidths();
     void onShownChanged(int number);
     void onFocusChanged(QWidget* now);
@@ -45,6 +51,9 @@ private:
     ParameterModel& m_model;
     std::map<std::uint8_t, ParameterField*> m_fields;
     QString m_reason;
+    QStringList m_words; ///< searched
+    ParameterModel::Filter m_filter = ParameterModel::Filter::All;
+    bool m_isCompact = false;
 };
 
 } // namespace trex

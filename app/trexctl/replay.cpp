@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/trexctl/replay.h"
+
+#include "app/trexctl/failure.h"
+#include "protocol/storage/recordingreader.h"
+
+namespace trex {
+namespace {
+
+/// Only where the number changes.
+sim::Trace traceOf(const TimeSeries& series, Instant start)
+{
+    sim::Trace trace;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const auto raw = static_cast<std::uint16_t>(series.value(i));
+        if (trace.points.empty() || trace.points.back().second != raw) {
+            const std::chrono::duration<double> since = series.time(i) - start;
+            trace.points.emplace_back(since.count(), raw);
+        }
+    }
+    return trace;
+}
+
+} // namespace
+
+Result<void> replayRecording(const QString& path, sim::Scenario& scenario)
+{
+    const auto reader = RecordingReader::open(path);
+    if (!reader) {
+        return tl::make_unexpected(reader.error());
+    }
+    TelemetryStore store;
+    (*reader)->loadAll(store, Instant());
+    const auto range = (*reader)->range();
+    const Instant start = range ? TimeAxis::instantOf(range->first) : Instant();
+    bool isAnything = false;
+    for (std::size_t i = 0; i < streams().size(); ++i) {
+        const StreamRow& row = streams()[i];
+        const TimeSeries& series = store.series(static_cast<int>(i));
+        if (row.poll == PollId::RawChannels) {
+            scenario.channelTraces.at(std::size_t(row.field)) = traceOf(series, start);
+        } else if (row.poll == PollId::Currents) {
+            scenario.currentTraces.at(std::size_t(row.field)) = traceOf(series, start);
+        } else {
+            continue;
+        }
+        isAnything = isAnything || !series.isEmpty();
+    }
+    if (!isAnything) {
+        return fail(ErrorCode::FileMalformed,
+                    QStringLiteral("%1: %2").arg(
+                        path, Cli::tr("neither channels nor currents were recorded")));
+    }
+    return {};
+}
+
+} // namespace trex

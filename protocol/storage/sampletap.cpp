@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storage/sampletap.h"
+
+namespace trex {
+
+SampleTap::SampleTap(const TelemetryStore& store) : m_store(store), m_clears(store.clears()) { }
+
+void SampleTap::startNow()
+{
+    startAt(Instant::max());
+}
+
+void SampleTap::startAt(Instant from)
+{
+    m_clears = m_store.clears();
+    for (const PollRow& poll : kPolls) {
+        const auto& columns = streamsOf(poll.id);
+        if (columns.empty()) {
+            continue;
+        }
+        const TimeAxis& axis = m_store.series(columns.front()).axis();
+        m_next[std::size_t(poll.id)] = axis.lowerBound(TimeAxis::ticksOf(from));
+    }
+}
+
+std::size_t SampleTap::take(const Wanted& wanted, Tick origin, std::size_t most,
+                            std::array<SampleRun, kPollCount>& runs)
+{
+    if (m_clears != m_store.clears()) {
+        m_clears = m_store.clears();
+        m_next = {};
+    }
+    std::size_t taken = 0;
+    for (const PollRow& poll : kPolls) {
+        const auto id = std::size_t(poll.id);
+        const auto& columns = streamsOf(poll.id);
+        if (!wanted[id] || columns.empty()) {
+            continue;
+        }
+        const TimeAxis& axis = m_store.series(columns.front()).axis();
+        const std::size_t begin = m_next[id];
+        const std::size_t end = std::min(axis.size(), begin + most);
+        SampleRun& run = runs[id];
+        const auto& gaps = axis.gaps();
+        auto gap = std::lower_bound(gaps.begin(), gaps.end(), begin);
+        for (std::size_t i = begin; i < end; ++i) {
+            if (gap != gaps.end() && *gap == i) {
+                run.gaps.push_back(run.size());
+                ++gap;
+            }
+            run.ticks.push_back(axis.tick(i) - origin);
+            for (const int column : columns) {
+                run.values.push_back(static_cast<std::uint16_t>(m_store.series(column).value(i)));
+            }
+        }
+        m_next[id] = std::max(begin, end);
+        taken += end > begin ? end - begin : 0;
+    }
+    return taken;
+}
+
+} // namespace trex

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/parameters/parameterfield.h"
+
+class QCheckBox;
+
+namespace trex {
+
+/// One box for each of the five channels, with what the channel does. GUI thread.
+class ChannelBitsField : public ParameterField {
+    Q_OBJECT
+    Q_DISABLE_COPY_MOVE(ChannelBitsField)
+
+public:
+    ChannelBitsField(const ParameterRow& row, QWidget* parent);
+    void setCompact(bool isCompact) override;
+
+protected:
+    void display(std::optional<int> raw) override;
+    [[nodiscard]] QString storedText(int raw) const override;
+
+private:
+    void onClicked();
+
+    std::vector<QCheckBox*> m_boxes;
+    bool m_isCompact = false;
+};
+
+} // namespace trex
