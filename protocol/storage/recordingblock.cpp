@@ -110,7 +110,7 @@ void takeGaps(Unpacker& body, std::size_t samples, SampleRun& run)
 qint64 largestStored(const StreamRow& row)
 {
     if (row.encoding == StreamEncoding::SignMagnitude) {
-        return 2 * kFullSpeed;
+        return qint64(kFullSpeed) * 2;
     }
     return row.width == ValueWidth::Word ? 0xFFFF : 0xFF;
 }

@@ -41,7 +41,7 @@ QByteArray nameOf(const StreamRow& row)
     QByteArray key(row.key.data(), static_cast<qsizetype>(row.key.size()));
     for (const auto* suffix : {"-current", "-raw", "-remapped"}) {
         if (key.endsWith(suffix)) {
-            key.chop(qstrlen(suffix));
+            key.chop(static_cast<qsizetype>(qstrlen(suffix)));
         }
     }
     return key.replace('-', '_');

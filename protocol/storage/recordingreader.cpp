@@ -155,7 +155,7 @@ Result<void> RecordingReader::checkSchema()
             }
         }
     }
-    const auto ended = m_database->checkEnd(**rows);
+    auto ended = m_database->checkEnd(**rows);
     (*rows)->finish();
     if (!ended) {
         return ended;

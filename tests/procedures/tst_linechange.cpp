@@ -181,7 +181,12 @@ void TestLineChange::silenceWithoutPowerCycle_waitsOn()
     silent.silentFor = 1.5;
     remote.server.line().setFaults(silent, remote.server.virtualNow());
     QVERIFY(bench.reaches(LineChange::Phase::Reconnecting));
+    bool wasSearched = false;
+    QObject::connect(&bench.change, &LineChange::changed, &bench.change, [&] {
+        wasSearched = wasSearched || bench.change.phase() == LineChange::Phase::Recovering;
+    });
     QVERIFY(bench.reaches(LineChange::Phase::Waiting));
+    QVERIFY(!wasSearched); // the old settings are asked too
     QVERIFY(bench.change.text().contains(u"still answers with the old settings"_s));
     QCOMPARE(bench.controller.options().line.baud, 19200);
     QCOMPARE(remote.motorOrders(), 0);

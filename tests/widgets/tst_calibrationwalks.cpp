@@ -60,7 +60,7 @@ void TestCalibrationWalks::stick_isLearnedOrDeclined_data()
     QTest::addColumn<QString>("state"); // of channel 2 at the review
     QTest::addColumn<QString>("detail");
     QTest::newRow("clean") << QByteArray() << u"good"_s << u"symmetry"_s;
-    QTest::newRow("noisy") << QByteArray(R"({"channel":2,"wave":"stick","jitter":24})")
+    QTest::newRow("noisy") << QByteArray(R"({"channel":2,"wave":"stick","jitter":20})")
                            << u"usable"_s << u"noisy"_s;
     QTest::newRow("missing pulses") << QByteArray(R"({"channel":2,"wave":"stick","missing":0.55})")
                                     << u"usable"_s << u"pulses were missing"_s;
