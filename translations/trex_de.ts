@@ -4559,8 +4559,8 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>&amp;Wiederfinden</translation>
     </message>
     <message>
-        <source>Finds a lost controller: tries the settings that worked last, then every other, and connects with those that answer. Nothing that it sends can move a motor.</source>
-        <translation>Findet einen verlorenen Regler: versucht zuerst die Einstellungen, die zuletzt gingen, dann alle anderen, und verbindet mit denen, die antworten. Nichts, was dabei gesendet wird, kann einen Motor bewegen.</translation>
+        <source>Finds a lost controller: tries the settings that worked last, then every other, and connects with those that answer. Only queries are sent, but a controller at another speed may misread them: switch the motor power off first if you can.</source>
+        <translation>Findet einen verlorenen Regler: versucht zuerst die Einstellungen, die zuletzt gingen, dann alle anderen, und verbindet mit denen, die antworten. Gesendet werden nur Abfragen, doch ein Regler mit anderer Geschwindigkeit kann sie falsch lesen: wenn möglich vorher die Motorversorgung abschalten.</translation>
     </message>
     <message>
         <source>Found a %1, firmware %2, at %3, device number %4.</source>

@@ -110,9 +110,10 @@ void ConnectionPanel::buildButtons(QVBoxLayout& layout)
     m_disconnect->setToolTip(tr("Stops all three motors, then closes the port."));
     m_scanButton->setToolTip(tr("Tries every baud rate and error detection on this port, the most "
                                 "likely first, until a controller answers."));
-    m_recover->setToolTip(tr("Finds a lost controller: tries the settings that worked last, then "
-                             "every other, and connects with those that answer. Nothing that it "
-                             "sends can move a motor."));
+    m_recover->setToolTip(
+        tr("Finds a lost controller: tries the settings that worked last, then every other, and "
+           "connects with those that answer. Only queries are sent, but a controller at another "
+           "speed may misread them: switch the motor power off first if you can."));
     m_powerCycle->setToolTip(tr("Switches the simulated controller off and on again."));
     connect(m_connect, &QPushButton::clicked, this, &ConnectionPanel::openLine);
     connect(m_disconnect, &QPushButton::clicked, &context().controller, &Controller::close);
