@@ -54,6 +54,7 @@ Program::Program(PanelOptions options)
     connect(&m_patience, &QTimer::timeout, this, &Program::finish);
     connect(&m_controller, &Controller::stateChanged, this, &Program::onStateChanged);
     logEvents();
+    limitHistory();
 }
 
 Program::~Program() = default;
@@ -67,6 +68,30 @@ void Program::logEvents()
         m_log.add(EventLog::Warning, errorText(*problem));
     }
     logWire(m_controller, m_options.verbosity);
+}
+
+/// The oldest samples leave the memory beyond the ceiling that the person has set; told once.
+void Program::limitHistory()
+{
+    const auto apply = [this] {
+        const int mib =
+            std::max(m_settings.value(settings::kHistoryMiB), settings::kLeastHistoryMiB);
+        m_store.setMemoryLimit(std::size_t(mib) << 20U);
+    };
+    apply();
+    connect(&m_settings, &UiSettings::changed, this, [apply](const QString& key) {
+        if (key == settings::kHistoryMiB.key) {
+            apply();
+        }
+    });
+    connect(&m_controller, &Controller::batchArrived, this, [this] {
+        if (m_store.hasDropped() && !std::exchange(m_isDropTold, true)) {
+            m_log.add(EventLog::Warning,
+                      tr("The memory for the history of this session (%1 MiB) is full. From now on "
+                         "its oldest part is only in a recording, if one runs.")
+                          .arg(m_store.memoryLimit() >> 20U));
+        }
+    });
 }
 
 Result<void> Program::prepareScript()

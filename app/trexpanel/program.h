@@ -43,6 +43,7 @@ private:
     [[nodiscard]] Result<void> prepareScript();
     [[nodiscard]] Result<OpenOptions> lineAtStart();
     void logEvents();
+    void limitHistory();
     void makeWindow();
     void chooseTheme(const QString& key);
     void chooseLanguage(const QString& code);
@@ -69,6 +70,7 @@ private:
     std::unique_ptr<MainWindow> m_window; ///< last: its panels use all of the above
     QTimer m_patience; ///< how long closing the line may take
     QString m_theme; ///< key in force
+    bool m_isDropTold = false; ///< that the oldest samples have left the memory
     bool m_isQuitting = false;
 };
 

@@ -116,6 +116,7 @@ void FlightRecorder::onBatch()
         {{"status", kFaults}, {"uart-errors", kUartFaults}}};
     for (std::size_t i = 0; i < watched.size(); ++i) {
         const TimeSeries& series = m_store.series(watched[i].first);
+        m_nextStatus[i] = std::max(m_nextStatus[i], series.first());
         for (; m_nextStatus[i] < series.size(); ++m_nextStatus[i]) {
             // Reading clears the bits: each one that is set happened since the read before.
             isFault = isFault || (series.value(m_nextStatus[i]) & watched[i].second) != 0;

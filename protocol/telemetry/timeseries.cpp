@@ -42,6 +42,11 @@ void TimeSeries::append(std::uint16_t value)
     }
 }
 
+void TimeSeries::dropChunk()
+{
+    std::visit([](auto& values) { values.dropChunk(); }, m_values);
+}
+
 void TimeSeries::clear()
 {
     std::visit([](auto& values) { values.clear(); }, m_values);

@@ -17,6 +17,9 @@ inline const Setting<QString> kLanguage{QStringLiteral("ui/language"),
 inline const Setting<int> kScalePercent{QStringLiteral("ui/scale"), 0}; ///< 0: the system's
 inline const Setting<QByteArray> kGeometry{QStringLiteral("ui/geometry"), QByteArray()};
 inline const Setting<QByteArray> kLayout{QStringLiteral("ui/layout"), QByteArray()};
+/// Ceiling of the session's history in memory, in MiB: half a week of everything.
+inline const Setting<int> kHistoryMiB{QStringLiteral("telemetry/memory"), 512};
+inline constexpr int kLeastHistoryMiB = 32; ///< hours, and more than the flight recorder keeps
 inline const Setting<int> kPlotWindowSeconds{QStringLiteral("currents/window"), 10};
 } // namespace settings
 
