@@ -38,15 +38,15 @@ TimeSeries::TimeSeries(const TimeAxis& axis, ValueWidth width, std::optional<std
 void TimeSeries::append(std::uint16_t value)
 {
     const std::size_t index = size();
-    if (index % kChunkSize == 0) {
-        m_areas.push_back(m_area);
-    }
     const TimeAxis::Tick tick = m_axis.lastTick();
     const bool isValid = value != m_invalid;
     const bool hasGap = !m_axis.gaps().empty() && m_axis.gaps().back() == index;
     if (isValid && m_lastValue && !hasGap) {
         m_area +=
             static_cast<std::uint64_t>(tick - m_lastTick) * (std::uint64_t(value) + *m_lastValue);
+    }
+    if (index % kChunkSize == 0) {
+        m_areas.push_back(m_area);
     }
     m_lastTick = tick;
     m_lastValue = isValid ? std::optional(value) : std::nullopt;
@@ -104,24 +104,24 @@ std::optional<double> TimeSeries::mean(std::size_t begin, std::size_t end) const
 
 std::uint64_t TimeSeries::doubleArea(std::size_t begin, std::size_t end) const
 {
-    return begin + 1 < end ? doubleAreaBefore(end) - doubleAreaBefore(begin + 1) : 0;
+    return begin + 1 < end ? doubleAreaTo(end - 1) - doubleAreaTo(begin) : 0;
 }
 
-/// Of the steps that end at a sample before `end`.
-std::uint64_t TimeSeries::doubleAreaBefore(std::size_t end) const
+/// Of all steps up to the one that ends at this sample.
+std::uint64_t TimeSeries::doubleAreaTo(std::size_t sample) const
 {
-    if (end >= size()) {
+    if (sample + 1 >= size()) {
         return m_area;
     }
-    const std::size_t first = end / kChunkSize * kChunkSize;
-    std::uint64_t area = m_areas[end / kChunkSize];
+    const std::size_t first = sample / kChunkSize * kChunkSize;
+    std::uint64_t area = m_areas[sample / kChunkSize];
     const std::vector<std::size_t>& gaps = m_axis.gaps();
-    auto gap = std::lower_bound(gaps.begin(), gaps.end(), first);
-    for (std::size_t i = first; i < end; ++i) {
+    auto gap = std::upper_bound(gaps.begin(), gaps.end(), first);
+    for (std::size_t i = first + 1; i <= sample; ++i) {
         const bool hasGap = gap != gaps.end() && *gap == i;
         if (hasGap) {
             ++gap;
-        } else if (i > 0 && isValid(i) && isValid(i - 1)) {
+        } else if (isValid(i) && isValid(i - 1)) {
             const auto step = static_cast<std::uint64_t>(m_axis.tick(i) - m_axis.tick(i - 1));
             area += step * static_cast<std::uint64_t>(value(i) + value(i - 1));
         }

@@ -63,13 +63,14 @@ public:
     [[nodiscard]] std::size_t memoryBytes() const;
 
 private:
-    [[nodiscard]] std::uint64_t doubleAreaBefore(std::size_t end) const;
+    [[nodiscard]] std::uint64_t doubleAreaTo(std::size_t sample) const;
 
     const TimeAxis& m_axis;
     std::variant<ValueColumn<std::uint8_t>, ValueColumn<std::uint16_t>> m_values;
     std::optional<std::uint16_t> m_invalid;
     // Running areas, so that a charge over a day needs no walk over it: one number a chunk.
-    std::vector<std::uint64_t> m_areas; ///< doubled, of all before the chunk
+    std::vector<std::uint64_t>
+        m_areas; ///< doubled, up to and with the step to the chunk's first sample
     std::uint64_t m_area = 0;
     TimeAxis::Tick m_lastTick = 0;
     std::optional<std::uint16_t> m_lastValue; ///< none: invalid, or there is none yet
