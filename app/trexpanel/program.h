@@ -3,9 +3,11 @@
 
 #include "app/trexpanel/languages.h"
 #include "app/trexpanel/paneloptions.h"
+#include "protocol/procedures/markkeeper.h"
 #include "protocol/procedures/writeaudit.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/devicesettings.h"
+#include "protocol/telemetry/plotreferences.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/common/eventlog.h"
@@ -60,6 +62,9 @@ private:
     DeviceSettings m_deviceSettings;
     Journal m_journal;
     WriteAudit m_audit;
+    MarkTrack m_marks;
+    MarkKeeper m_markKeeper;
+    PlotReferences m_references;
     EventLog m_log;
     FrameTicker m_ticker;
     FileDialogs m_fileDialogs;
