@@ -15,6 +15,7 @@
 #include "widgets/common/frameticker.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/uisettings.h"
+#include "widgets/recording/recordings.h"
 
 #include <QTimer>
 
@@ -69,6 +70,7 @@ private:
     FrameTicker m_ticker;
     FileDialogs m_fileDialogs;
     PanelContext m_context;
+    Recordings m_recordings;
     std::unique_ptr<Metrics> m_metrics;
     std::unique_ptr<ScriptPlayer> m_player;
     std::unique_ptr<MainWindow> m_window; ///< last: its panels use all of the above
