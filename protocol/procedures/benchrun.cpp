@@ -4,7 +4,6 @@
 #include "protocol/storage/benchtext.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace trex {
 namespace {
@@ -76,6 +75,11 @@ void BenchRun::end(BenchEnd end, const QString& reason)
     m_ending = BenchEnding{end, reason};
     m_trace.seconds = seconds();
     m_due = {};
+    for (std::size_t i = 0; i < m_commanded.size() && m_hasBegun; ++i) {
+        if (m_commanded.at(i).amount != 0) { // the stop that follows
+            m_trace.addOrder(seconds(), MotorId(i), {});
+        }
+    }
     note(end == BenchEnd::Completed ? 0 : 2,
          end == BenchEnd::Completed ? Bench::tr("All steps done.")
                                     : Bench::tr("Ended: %1.").arg(reason));
@@ -85,7 +89,8 @@ void BenchRun::limit(const QString& found, bool isStep)
 {
     if (!found.isEmpty()) {
         end(BenchEnd::Limit,
-            isStep ? Bench::tr("limit of a step: %1").arg(found) : Bench::tr("limit: %1").arg(found));
+            isStep ? Bench::tr("limit of a step: %1").arg(found)
+                   : Bench::tr("limit: %1").arg(found));
     }
 }
 
@@ -129,8 +134,7 @@ void BenchRun::takeCurrents(const PollSample& sample)
         return;
     }
     const std::array raw{std::uint8_t(sample.raw[0]), std::uint8_t(sample.raw[1])};
-    const double ticks = toSeconds(sample.time - m_begun) * BenchTrace::kTicksPerSecond;
-    m_trace.samples.push_back({std::uint32_t(std::lround(ticks)), raw});
+    m_trace.samples.push_back({BenchTrace::tickOf(toSeconds(sample.time - m_begun)), raw});
     const double scale = amperesPerCount(m_trace.model);
     const std::array amperes{raw[0] * scale, raw[1] * scale};
     for (Level& level : m_levels) {

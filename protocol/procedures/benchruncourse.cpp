@@ -47,7 +47,7 @@ BenchOrders BenchRun::advance(Instant now)
     }
     checkAges(now);
     if (m_ending || !m_hasBegun) {
-        return std::exchange(m_due, {});
+        return {};
     }
     for (const Level& level : m_levels) {
         limit(level.watch.time(now), level.repeat != nullptr);
@@ -62,6 +62,11 @@ BenchOrders BenchRun::advance(Instant now)
     }
     if (!m_ending) {
         steer(now);
+    }
+    for (const MotorId motor : kMotors) {
+        if (const auto& order = m_due.at(std::size_t(motor))) {
+            m_trace.addOrder(seconds(), motor, *order);
+        }
     }
     return std::exchange(m_due, {});
 }
@@ -83,8 +88,7 @@ void BenchRun::checkAges(Instant now)
         return;
     }
     if (!isReady && !m_ending) {
-        end(BenchEnd::Stale,
-            Bench::tr("no fresh readings for %1 s").arg(m_profile.staleSeconds()));
+        end(BenchEnd::Stale, Bench::tr("no fresh readings for %1 s").arg(m_profile.staleSeconds()));
     }
 }
 
@@ -191,8 +195,8 @@ std::optional<Instant> BenchRun::leafEnd(Instant now)
     if (step->action != BenchAction::Wait) {
         return now >= due ? std::optional(due) : std::nullopt;
     }
-    const bool isTime = step->condition == BenchCondition::Time
-        && now >= m_begun + fromSeconds(step->threshold);
+    const bool isTime =
+        step->condition == BenchCondition::Time && now >= m_begun + fromSeconds(step->threshold);
     if (m_isMet || isTime) {
         return now;
     }
@@ -201,7 +205,9 @@ std::optional<Instant> BenchRun::leafEnd(Instant now)
     }
     if (step->mustHappen) {
         end(BenchEnd::NotMet,
-            Bench::tr("what step %1 waited for did not come in %2 s").arg(position()).arg(step->seconds));
+            Bench::tr("what step %1 waited for did not come in %2 s")
+                .arg(position())
+                .arg(step->seconds));
         return std::nullopt;
     }
     return now;
@@ -223,8 +229,8 @@ void BenchRun::steer(Instant now)
         double speed = step->speed;
         if (step->action == BenchAction::Ramp) {
             const MotorOrder& before = m_before.at(std::size_t(motor));
-            const int from = step->from.value_or(
-                before.action == MotorOrder::Action::Brake ? 0 : before.amount);
+            const int from =
+                step->from.value_or(before.action == MotorOrder::Action::Brake ? 0 : before.amount);
             speed = from + (step->speed - from) * std::min(elapsed / step->seconds, 1.0);
         } else {
             speed += step->amplitude * std::sin(2.0 * std::numbers::pi * elapsed / step->period);
@@ -250,9 +256,6 @@ void BenchRun::orderOne(MotorId motor, const MotorOrder& wanted)
     }
     commanded = wanted;
     m_due.at(std::size_t(motor)) = wanted;
-    m_trace.orders.push_back(
-        {std::uint32_t(std::lround(seconds() * BenchTrace::kTicksPerSecond)), motor, wanted.action,
-         std::int8_t(wanted.amount)});
 }
 
 QString BenchRun::position() const

@@ -50,15 +50,10 @@ void BenchTest::start()
     connect(&m_controller, &Controller::recordsArrived, this, &BenchTest::onRecords);
     connect(&m_controller, &Controller::stateChanged, this, &BenchTest::onState);
     connect(&m_controller, &Controller::armedChanged, this, [this](bool armed) {
-        if (!armed) {
-            // A lost link disarms too, and is told right after.
-            QMetaObject::invokeMethod(
-                this,
-                [this] {
-                    m_run.end(BenchEnd::Stopped, Bench::tr("stopped or disarmed"));
-                    conclude();
-                },
-                Qt::QueuedConnection);
+        // A lost link disarms too, and tells so itself.
+        if (!armed && m_controller.state() == LinkState::Connected) {
+            m_run.end(BenchEnd::Stopped, Bench::tr("stopped or disarmed"));
+            QMetaObject::invokeMethod(this, &BenchTest::conclude, Qt::QueuedConnection);
         }
     });
     m_controller.want(this, PollId::Currents, pollRow(PollId::Currents).hertz);
@@ -157,8 +152,7 @@ void BenchTest::conclude()
     };
     m_controller.stop(Controller::StopKind::Coast, this, done);
     // A line that is gone may never tell.
-    QTimer::singleShot(kLongestStop, this,
-                       [done] { done(fail(ErrorCode::NotConnected)); });
+    QTimer::singleShot(kLongestStop, this, [done] { done(fail(ErrorCode::NotConnected)); });
     emit tick();
 }
 

@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -39,6 +40,14 @@ struct BenchTrace {
     double seconds = 0.0; ///< from the first order to the end
     quint64 linkErrors = 0; ///< replies lost or damaged meanwhile
 
+    void addOrder(double at, MotorId motor, const MotorOrder& order)
+    {
+        orders.push_back({tickOf(at), motor, order.action, static_cast<std::int8_t>(order.amount)});
+    }
+    [[nodiscard]] static std::uint32_t tickOf(double at)
+    {
+        return static_cast<std::uint32_t>(std::max(at, 0.0) * kTicksPerSecond + 0.5);
+    }
     [[nodiscard]] static double secondsOf(std::uint32_t tick) { return tick / kTicksPerSecond; }
     /// Motor 1 or 2; the auxiliary motor's current is not measured.
     [[nodiscard]] double amperes(std::size_t index, MotorId motor) const
