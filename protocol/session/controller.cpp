@@ -3,6 +3,7 @@
 
 #include "protocol/errortext.h"
 #include "protocol/session/linkengine.h"
+#include "protocol/session/linksampler.h"
 #include "protocol/session/linkthread.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -48,7 +49,11 @@ constexpr std::size_t indexOf(MotorId motor)
 } // namespace
 
 Controller::Controller(TelemetryStore* store, StatusLatch* latch, QObject* parent)
-    : QObject(parent), m_store(store), m_latch(latch), m_link(std::make_unique<LinkThread>())
+    : QObject(parent)
+    , m_store(store)
+    , m_latch(latch)
+    , m_sampler(store != nullptr ? std::make_unique<LinkSampler>(*store) : nullptr)
+    , m_link(std::make_unique<LinkThread>())
 {
     connect(&m_link->worker(), &LinkWorker::batchReady, this, &Controller::onBatch);
     connect(&m_link->worker(), &LinkWorker::closed, this, [this](quint32 generation) {
@@ -110,6 +115,9 @@ void Controller::open(const OpenOptions& options)
     m_lastMode.reset();
     m_stopLatencyMsMax = 0.0;
     m_stats = {};
+    if (m_sampler) {
+        m_sampler->restart();
+    }
     setState(LinkState::Connecting, std::nullopt);
     m_link->post([options, generation = m_generation](LinkWorker& worker) {
         worker.open(options, generation);
@@ -346,6 +354,9 @@ void Controller::powerCycleSimulator()
 {
     m_link->post([](LinkWorker& worker) { worker.powerCycle(); });
     setArmed(false);
+    if (m_sampler) {
+        m_sampler->forgetOrders();
+    }
     emit restarted();
 }
 
@@ -356,6 +367,9 @@ void Controller::noteRestart(const QString& evidence)
         stop(); // it has forgotten our orders; nothing starts again without a person
     }
     m_orders = {};
+    if (m_sampler) {
+        m_sampler->forgetOrders();
+    }
     emit ordersChanged();
     emit restarted();
 }

@@ -4,7 +4,6 @@
 #include "protocol/session/openoptions.h"
 #include "protocol/session/transaction.h"
 
-#include <QElapsedTimer>
 #include <QHash>
 #include <QObject>
 #include <QPointer>
@@ -15,6 +14,7 @@
 
 namespace trex {
 
+class LinkSampler;
 class LinkThread;
 class StatusLatch;
 class TelemetryStore;
@@ -90,8 +90,7 @@ signals:
     void lockedOut(); ///< a stop was asked: motor orders are refused for kStopLockout
     void stopped(); ///< stop packets have been handed to the line
     void ordersChanged(); ///< lastOrder() of some motor
-    /// Store and latch hold new values; at most 60 times a second.
-    void batchArrived();
+    void batchArrived(); ///< store and latch hold new values; at most 60 times a second
     void recordsArrived(const std::vector<trex::TransactionRecord>& records);
     /// A plain sentence for the log. `severity`: 0 information, 1 warning, 2 error.
     void eventLogged(int severity, const QString& text);
@@ -124,6 +123,7 @@ private:
     };
     TelemetryStore* m_store;
     StatusLatch* m_latch;
+    std::unique_ptr<LinkSampler> m_sampler; ///< none without a store
     std::unique_ptr<LinkThread> m_link;
     OpenOptions m_options;
     LinkState m_state = LinkState::Disconnected;

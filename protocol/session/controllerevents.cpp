@@ -4,6 +4,7 @@
 #include "protocol/errortext.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/linkengine.h"
+#include "protocol/session/linksampler.h"
 #include "protocol/session/linkthread.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -18,6 +19,9 @@ void Controller::onBatch(const LinkBatch& batch)
     m_stats = batch.stats;
     for (const PollSample& sample : batch.samples) {
         onSample(sample);
+    }
+    if (m_sampler) {
+        m_sampler->take(batch, m_options.line);
     }
     if (!batch.records.empty()) {
         emit recordsArrived(batch.records);
