@@ -28,13 +28,13 @@ bool isZero(const StreamRow& row, int stored)
     return stored + row.offset == 0;
 }
 
-/// True when the sample leaves zero: it is none, and the one before, known, was zero. A run that
-/// begins with a speed has stepped before.
+/// True when the sample leaves zero, or is the first that anybody knows of. (Orders are sampled as
+/// they leave, each after what was in force until then.)
 bool isStep(const TimeSeries& series, const StreamRow& row, std::size_t index)
 {
-    return index > 0 && series.isValid(index) && !isZero(row, series.value(index))
-        && series.isValid(index - 1) && isZero(row, series.value(index - 1))
-        && !series.axis().hasGapBetween(index - 1, index);
+    const bool isSpeed = series.isValid(index) && !isZero(row, series.value(index));
+    return isSpeed && index > 0 && !series.axis().hasGapBetween(index - 1, index)
+        && (!series.isValid(index - 1) || isZero(row, series.value(index - 1)));
 }
 
 } // namespace
@@ -152,10 +152,10 @@ std::optional<Duration> PlotReferences::shiftOf(const Run& run) const
 std::unique_ptr<TelemetryStore> copyOf(const TelemetryStore& store, Instant from, Instant to)
 {
     auto copy = std::make_unique<TelemetryStore>();
-    for (const PollRow& poll : kPolls) {
+    for (const SourceRow& source : kSources) {
         std::vector<int> indices;
         for (std::size_t i = 0; i < streams().size(); ++i) {
-            if (streams()[i].poll == poll.id) {
+            if (streams()[i].source == source.source) {
                 indices.push_back(static_cast<int>(i));
             }
         }
@@ -166,15 +166,15 @@ std::unique_ptr<TelemetryStore> copyOf(const TelemetryStore& store, Instant from
         const auto [begin, end] = first.range(from, to);
         for (std::size_t i = begin; i < end; ++i) {
             if (i > begin && first.axis().hasGapBetween(i - 1, i)) {
-                copy->markGap(poll.id);
+                copy->markGap(source.source);
             }
-            PollSample sample{poll.id, {}, first.time(i)};
+            std::array<std::uint16_t, kMostValues> raw{};
             for (const int index : indices) {
                 const StreamRow& row = streams()[static_cast<std::size_t>(index)];
-                sample.raw.at(static_cast<std::size_t>(row.field)) =
+                raw.at(static_cast<std::size_t>(row.field)) =
                     rawFromStored(row, store.series(index).value(i));
             }
-            copy->append(sample);
+            copy->append(source.source, raw, first.time(i));
         }
     }
     return copy;

@@ -72,6 +72,28 @@ private slots:
         references.setAnchor(Alignment::Trigger, {});
         QVERIFY(!references.shiftOf(*references.run(id)));
     }
+    void commandStep_isWhereASpeedLeavesZero()
+    {
+        TelemetryStore store;
+        const auto order = [&](int motor1, int motor2, Duration after) {
+            const auto stored = [](int speed) { return std::uint16_t(speed + kFullSpeed); };
+            const std::array raw{stored(motor1), stored(motor2), stored(0)};
+            store.append(Source::orders(), raw, kStart + after);
+        };
+        order(0, 0, 0s);
+        QVERIFY(!firstCommandStep(store, kStart));
+        QVERIFY(!lastCommandStep(store, kStart + 100s));
+        order(0, 0, 1s);
+        order(0, 50, 1s);
+        order(0, 80, 2s); // faster: it was running
+        order(0, 0, 3s);
+        order(-20, 0, 4s);
+        order(-20, 30, 5s); // the other motor begins
+        QCOMPARE(firstCommandStep(store, kStart), std::optional(kStart + 1s));
+        QCOMPARE(firstCommandStep(store, kStart + 2s), std::optional(kStart + 4s));
+        QCOMPARE(lastCommandStep(store, kStart + 100s), std::optional(kStart + 5s));
+        QCOMPARE(lastCommandStep(store, kStart + 3s), std::optional(kStart + 1s));
+    }
     void copy_holdsTheSamplesOfItsPartAndTheirGaps()
     {
         TelemetryStore store;
