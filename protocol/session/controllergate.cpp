@@ -3,6 +3,7 @@
 #include "protocol/errortext.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/linkengine.h"
+#include "protocol/session/linksampler.h"
 #include "protocol/session/linkthread.h"
 
 namespace trex {
@@ -304,6 +305,9 @@ void Controller::powerCycleSimulator()
 {
     m_link->post([](LinkWorker& worker) { worker.powerCycle(); });
     closeGate(DisarmReason::Restarted);
+    if (m_sampler) {
+        m_sampler->forgetOrders();
+    }
     emit ordersChanged();
     emit restarted();
 }
@@ -314,6 +318,9 @@ void Controller::noteRestart(const QString& evidence)
     // It has forgotten our orders; nothing starts again without a person.
     disarm(DisarmReason::Restarted, evidence);
     closeGate(DisarmReason::Restarted);
+    if (m_sampler) {
+        m_sampler->forgetOrders();
+    }
     emit ordersChanged();
     emit restarted();
 }

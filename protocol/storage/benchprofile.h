@@ -70,9 +70,9 @@ struct BenchLimits {
 struct BenchStep {
     BenchAction action = BenchAction::Hold;
     BenchMotor motor = BenchMotor::Both;
-    QString label; ///< for people
+    QString label{}; ///< for people
     int speed = 0; ///< −127 to 127; ramp: where it ends; sine: its middle; brake: duty 0 to 127
-    std::optional<int> from; ///< ramp: where it begins; none: where the motor is
+    std::optional<int> from{}; ///< ramp: where it begins; none: where the motor is
     int amplitude = 0; ///< sine
     double seconds = 0.0; ///< the length; wait: at most
     double period = 1.0; ///< sine, seconds
@@ -81,16 +81,16 @@ struct BenchStep {
     int number = 0; ///< wait: channel 1 to 5, or the status byte's bit
     bool mustHappen = true; ///< wait: that it did not come ends the test, as failed
     int times = 1;
-    std::vector<BenchStep> steps;
-    BenchLimits limits; ///< while the step lasts, beside the profile's
-    BenchComments comments;
+    std::vector<BenchStep> steps{};
+    BenchLimits limits{}; ///< while the step lasts, beside the profile's
+    BenchComments comments{};
     bool operator==(const BenchStep&) const = default;
 };
 
 /// What a result has to be for the verdict "passed".
 struct BenchExpectation {
-    std::optional<double> minimum;
-    std::optional<double> maximum;
+    std::optional<double> minimum{};
+    std::optional<double> maximum{};
     bool operator==(const BenchExpectation&) const = default;
 };
 
