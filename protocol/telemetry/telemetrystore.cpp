@@ -168,6 +168,9 @@ std::optional<Instant> TelemetryStore::start() const
 
 std::optional<Instant> TelemetryStore::oldest() const
 {
+    if (!m_hasDropped) {
+        return m_start;
+    }
     std::optional<Instant> oldest;
     for (const auto& axis : m_axes) {
         if (axis->size() > 0) {

@@ -42,7 +42,7 @@ public:
     /// The latest sample of a poll since the last gap; none: no fresh value (stale or never).
     [[nodiscard]] const PollSample* latest(PollId poll) const;
     [[nodiscard]] std::optional<Instant> start() const; ///< of the first sample since clear()
-    /// Of the oldest sample that is still there, of all streams; none: no samples.
+    /// Where what is still there begins: the start, until samples have left. None: no samples.
     [[nodiscard]] std::optional<Instant> oldest() const;
     [[nodiscard]] std::size_t memoryBytes() const; ///< of all samples, times and pyramids
 

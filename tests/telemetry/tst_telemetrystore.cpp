@@ -175,6 +175,8 @@ void compare(const TimeSeries& series, const TimeSeries& whole)
         const std::size_t end = begin + random() % (series.size() - begin + 1);
         QCOMPARE(series.extent(begin, end), whole.extent(begin, end));
         QCOMPARE(series.mean(begin, end), whole.mean(begin, end));
+        QCOMPARE(series.sum(begin, end).squares, whole.sum(begin, end).squares);
+        QCOMPARE(series.doubleArea(begin, end), whole.doubleArea(begin, end));
         QCOMPARE(series.range(series.time(begin), series.time(end - (end > begin ? 1 : 0))),
                  whole.range(series.time(begin), series.time(end - (end > begin ? 1 : 0))));
         QCOMPARE(series.axis().hasGapBetween(begin, end), whole.axis().hasGapBetween(begin, end));
@@ -183,6 +185,7 @@ void compare(const TimeSeries& series, const TimeSeries& whole)
     QCOMPARE(series.range(kStart, Instant::max()), (std::pair{first, series.size()}));
     QCOMPARE(series.extent(0, series.size()), whole.extent(first, series.size()));
     QCOMPARE(series.mean(0, series.size()), whole.mean(first, series.size()));
+    QCOMPARE(series.doubleArea(0, series.size()), whole.doubleArea(first, series.size()));
     std::vector<PlotColumn> columns;
     series.columns({kStart, 10s, 720}, columns);
     std::size_t next = first;

@@ -21,6 +21,13 @@ inline const Setting<QByteArray> kLayout{QStringLiteral("ui/layout"), QByteArray
 inline const Setting<int> kHistoryMiB{QStringLiteral("telemetry/memory"), 512};
 inline constexpr int kLeastHistoryMiB = 32; ///< hours, and more than the flight recorder keeps
 inline const Setting<int> kPlotWindowSeconds{QStringLiteral("currents/window"), 10};
+inline const Setting<QString> kRecordingFolder{QStringLiteral("recording/folder"),
+                                               QString()}; ///< "": among the documents
+inline const Setting<bool> kRecordingPackets{QStringLiteral("recording/packets"), false};
+inline const Setting<bool> kFlightEnabled{QStringLiteral("flight/enabled"), true};
+inline const Setting<QString> kFlightFolder{QStringLiteral("flight/folder"),
+                                            QString()}; ///< "": in the data folder
+inline const Setting<int> kFlightMinutes{QStringLiteral("flight/minutes"), 5};
 } // namespace settings
 
 /// The panel's stored settings. GUI thread.
