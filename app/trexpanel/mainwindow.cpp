@@ -7,6 +7,7 @@
 #include "app/trexpanel/languages.h"
 #include "app/trexpanel/linkstatusbar.h"
 #include "app/trexpanel/menus.h"
+#include "app/trexpanel/stopkey.h"
 #include "protocol/session/controller.h"
 #include "widgets/common/uisettings.h"
 #include "widgets/common/whyline.h"
@@ -15,7 +16,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QKeyEvent>
 #include <QMenuBar>
 #include <QScreen>
 #include <QTimer>
@@ -60,7 +60,7 @@ MainWindow::MainWindow(PanelContext& context, const QString& theme, const QStrin
     makeMenus(theme, language);
     setStatusBar(new LinkStatusBar(context, this));
     restoreLayout();
-    qApp->installEventFilter(this); // Esc, from anywhere
+    new StopKey(context.controller, this); // Esc, from anywhere
 }
 
 void MainWindow::makeTop()
@@ -70,10 +70,11 @@ void MainWindow::makeTop()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     m_commandBar = new CommandBar(m_context, top);
-    auto* why = named(new WhyLine(m_context.controller, m_context.log, top), u"why"_s);
+    auto* why = named(new WhyLine(m_context, top), u"why"_s);
     layout->addWidget(m_commandBar);
     layout->addWidget(why);
     connect(why, &WhyLine::connectRequested, m_commandBar, &CommandBar::connectToLast);
+    connect(why, &WhyLine::panelRequested, this, &MainWindow::bringForward);
     connect(m_commandBar, &CommandBar::connectionWanted, this,
             [this] { bringForward(idOf(panels().front())); });
 
@@ -229,17 +230,6 @@ bool MainWindow::event(QEvent* event)
         QTimer::singleShot(0, this, &MainWindow::firstFramePainted); // after the panels' own
     }
     return handled;
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::KeyPress && watched->isWindowType()) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
-            m_context.controller.stop(); // and the key goes on: a dialog closes by it too
-        }
-    }
-    return QMainWindow::eventFilter(watched, event);
 }
 
 QMenu* MainWindow::createPopupMenu()

@@ -45,10 +45,12 @@ Program::Program(PanelOptions options)
     , m_settings(m_file)
     , m_controller(&m_store, &m_latch)
     , m_deviceSettings(m_controller)
+    , m_timeoutWatch(m_controller, m_deviceSettings)
+    , m_safety(m_controller, m_store, m_settings)
     , m_journal(journalPath(m_file.path()))
     , m_audit(m_controller, m_deviceSettings, m_journal, WriteAudit::WhenUnsaved::RefuseOnce)
-    , m_context{m_controller, m_deviceSettings, m_store,       m_latch, m_log,
-                m_settings,   m_ticker,         m_fileDialogs, &m_audit}
+    , m_context{m_controller, m_deviceSettings, m_store,       m_latch,  m_log,
+                m_settings,   m_ticker,         m_fileDialogs, &m_audit, &m_timeoutWatch}
 {
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, this, &Program::finish);
@@ -156,9 +158,7 @@ void Program::chooseLanguage(const QString& code)
     if (code == m_languages.inUse()) {
         return;
     }
-    if (m_controller.isArmed()) {
-        m_controller.disarm();
-    }
+    m_controller.disarm(DisarmReason::LanguageSwitch);
     m_window->saveLayout();
     m_window->hide();
     m_window.release()->deleteLater(); // one of its menus is still calling

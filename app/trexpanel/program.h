@@ -3,9 +3,11 @@
 
 #include "app/trexpanel/languages.h"
 #include "app/trexpanel/paneloptions.h"
+#include "app/trexpanel/safetywatch.h"
 #include "protocol/procedures/writeaudit.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/devicesettings.h"
+#include "protocol/session/serialtimeoutwatch.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/common/eventlog.h"
@@ -58,6 +60,8 @@ private:
     StatusLatch m_latch;
     Controller m_controller;
     DeviceSettings m_deviceSettings;
+    SerialTimeoutWatch m_timeoutWatch;
+    SafetyWatch m_safety;
     Journal m_journal;
     WriteAudit m_audit;
     EventLog m_log;

@@ -10,6 +10,7 @@ class DeviceSettings;
 class EventLog;
 class FileDialogs;
 class FrameTicker;
+class SerialTimeoutWatch;
 class StatusLatch;
 class TelemetryStore;
 class UiSettings;
@@ -26,6 +27,7 @@ struct PanelContext {
     FrameTicker& ticker;
     FileDialogs& fileDialogs;
     WriteAudit* audit = nullptr; ///< the journal of writes; null: nothing is recorded
+    SerialTimeoutWatch* timeoutWatch = nullptr; ///< null: nobody looks after the serial timeout
 };
 
 /// Base of the panels; a row of panelregistry.cpp makes each one. GUI thread.

@@ -18,6 +18,24 @@ inline const Setting<int> kScalePercent{QStringLiteral("ui/scale"), 0}; ///< 0: 
 inline const Setting<QByteArray> kGeometry{QStringLiteral("ui/geometry"), QByteArray()};
 inline const Setting<QByteArray> kLayout{QStringLiteral("ui/layout"), QByteArray()};
 inline const Setting<int> kPlotWindowSeconds{QStringLiteral("currents/window"), 10};
+// What closes the motor gate, and what the motion limits are (safetysettings.h).
+inline const Setting<bool> kDisarmMotorFault{QStringLiteral("safety/motorFault"), true};
+inline const Setting<bool> kDisarmOverCurrent{QStringLiteral("safety/overCurrent"), false};
+inline const Setting<bool> kDisarmUartError{QStringLiteral("safety/uartError"), false};
+inline const Setting<bool> kDisarmSerialTimeout{QStringLiteral("safety/serialTimeout"), true};
+inline const Setting<bool> kDisarmHidden{QStringLiteral("safety/hidden"), true};
+inline const Setting<bool> kDisarmLocked{QStringLiteral("safety/locked"), true};
+inline const Setting<int> kIdleSeconds{QStringLiteral("safety/idleSeconds"), 600}; ///< 0: never
+inline const Setting<int> kMaximum1{QStringLiteral("motion/maximum1"), 127};
+inline const Setting<int> kMaximum2{QStringLiteral("motion/maximum2"), 127};
+inline const Setting<int> kMaximumAux{QStringLiteral("motion/maximumAux"), 127};
+inline const Setting<int> kSoftStart{QStringLiteral("motion/softStart"), 0}; ///< steps a second
+inline const Setting<int> kSoftStop{QStringLiteral("motion/softStop"), 0};
+inline const Setting<int> kStallMilliamperes{QStringLiteral("motion/stallMilliamperes"), 0};
+inline const Setting<int> kStallMs{QStringLiteral("motion/stallMs"), 500};
+inline const Setting<int> kSliderStep{QStringLiteral("motion/sliderStep"), 8};
+inline const Setting<int> kHoldSpeed{QStringLiteral("motion/holdSpeed"), 40}; ///< of held keys
+inline const Setting<bool> kHoldToRun{QStringLiteral("motion/holdToRun"), false};
 } // namespace settings
 
 /// The panel's stored settings. GUI thread.
