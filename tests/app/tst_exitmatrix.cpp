@@ -35,6 +35,7 @@ struct Way {
     enum class Line : std::uint8_t { Fine, HangUp, Silent, PowerCycle } line = Line::Fine;
     double statedMs = kStatedMs;
     int serialTimeout = 0; ///< of the controller; raw
+    bool endsAtOnce = false; ///< nothing is played after it
 };
 
 // A lost line takes 500 ms of silence to be known, and stop is the first thing it hears when it is
@@ -53,8 +54,8 @@ const std::vector<Way>& ways()
         {"disarm", R"({"click":"motors.arm"})"},
         {"why-line's button", R"({"click":"why.remedy"})"},
         {"disconnect", R"({"click":"action.disconnect"})"},
-        {"close the window", R"({"quit":true})"},
-        {"end of the script", R"({"sleepMs":0})"},
+        {.name = "close the window", .steps = R"({"quit":true})", .endsAtOnce = true},
+        {.name = "end of the script", .steps = R"({"sleepMs":0})", .endsAtOnce = true},
         {"switch the language", R"({"click":"action.language.de"})"},
         {"hide the window",
          R"({"set":{"object":"mainWindow","property":"visible","value":false}})"},
@@ -156,28 +157,36 @@ QByteArray script(const Case& c)
     }
     steps += R"(,{"sleepMs":150,"note":"cause"})";
     if (!way.steps.isEmpty()) {
-        // Afterwards a while in which nothing may reach a motor, and an attempt to.
-        steps += ',' + way.steps + R"(,{"sleepMs":300})";
+        steps += ',' + way.steps;
+        if (!way.endsAtOnce) { // a while in which nothing may reach a motor
+            steps += R"(,{"sleepMs":300})";
+        }
     } else {
         steps += R"(,{"sleepMs":15000})"; // until it is ended from outside
     }
     return "{\"steps\":[" + steps + "]}";
 }
 
-/// Epoch of the step that began the way out, by the report.
-std::optional<double> causeOf(const QString& report, qsizetype stepsAfter)
+/// Epoch of the step that began the way out, by the report: the last of the way's own.
+std::optional<double> causeOf(const QString& report, const QByteArray& script, const Way& way)
 {
+    const QJsonArray played = QJsonDocument::fromJson(script).object()[u"steps"_s].toArray();
+    qsizetype index = 0;
+    while (index < played.size() && played.at(index)[u"note"_s] != u"cause"_s) {
+        ++index;
+    }
+    index += QJsonDocument::fromJson("[" + way.steps + "]").array().size();
+
     QFile file(report);
     if (!file.open(QIODevice::ReadOnly)) {
         return std::nullopt;
     }
     const QJsonObject root = QJsonDocument::fromJson(file.readAll()).object();
     const QJsonArray steps = root[u"steps"_s].toArray();
-    if (steps.size() <= stepsAfter) {
+    if (steps.size() <= index) {
         return std::nullopt;
     }
-    return root[u"startupEpochMs"_s].toDouble()
-        + steps.at(steps.size() - 1 - stepsAfter)[u"startMs"_s].toDouble();
+    return root[u"startupEpochMs"_s].toDouble() + steps.at(index)[u"startMs"_s].toDouble();
 }
 
 bool waitForMotion(const QString& log, bool moves)
@@ -262,9 +271,7 @@ void TestExitMatrix::wayOut_leavesAllMotorsNeutral()
         return;
     }
     if (causeMs == 0.0) {
-        const auto after =
-            QJsonDocument::fromJson("[" + ways().at(c.way).steps + "]").array().size();
-        const auto cause = causeOf(report, after);
+        const auto cause = causeOf(report, script(c), ways().at(c.way));
         QVERIFY2(cause.has_value(), program.readAllStandardError().constData());
         causeMs = *cause;
     }
@@ -279,7 +286,9 @@ void TestExitMatrix::carryOut(const Case& c, QProcess& program, test::SimWitness
     const Way& way = ways().at(c.way);
     if (way.steps.isEmpty()) {
         QVERIFY2(waitForMotion(log, states().at(c.state).moves), "the motors do not move");
-        QTest::qWait(states().at(c.state).moves ? 60 : 800); // idle: nothing tells that it is armed
+        // Idle: nothing tells that it is armed. A restart is known by a current that was there.
+        const bool isEarly = states().at(c.state).moves && way.line != Way::Line::PowerCycle;
+        QTest::qWait(isEarly ? 60 : 800);
         causeMs = static_cast<double>(QDateTime::currentMSecsSinceEpoch());
         switch (way.line) {
         case Way::Line::Fine:
