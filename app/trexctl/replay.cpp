@@ -37,9 +37,9 @@ Result<void> replayRecording(const QString& path, sim::Scenario& scenario)
     for (std::size_t i = 0; i < streams().size(); ++i) {
         const StreamRow& row = streams()[i];
         const TimeSeries& series = store.series(static_cast<int>(i));
-        if (row.poll == PollId::RawChannels) {
+        if (row.source == PollId::RawChannels) {
             scenario.channelTraces.at(std::size_t(row.field)) = traceOf(series, start);
-        } else if (row.poll == PollId::Currents) {
+        } else if (row.source == PollId::Currents) {
             scenario.currentTraces.at(std::size_t(row.field)) = traceOf(series, start);
         } else {
             continue;

@@ -2,6 +2,7 @@
 #include "app/trexpanel/program.h"
 
 #include "app/common/logging.h"
+#include "app/common/version.h"
 #include "app/script/metrics.h"
 #include "app/script/report.h"
 #include "app/script/scriptplayer.h"
@@ -47,8 +48,13 @@ Program::Program(PanelOptions options)
     , m_deviceSettings(m_controller)
     , m_journal(journalPath(m_file.path()))
     , m_audit(m_controller, m_deviceSettings, m_journal, WriteAudit::WhenUnsaved::RefuseOnce)
-    , m_context{m_controller, m_deviceSettings, m_store,       m_latch, m_log,
-                m_settings,   m_ticker,         m_fileDialogs, &m_audit}
+    , m_markKeeper(m_marks, m_controller, m_latch, m_deviceSettings)
+    , m_context{m_controller, m_deviceSettings, m_store,  m_latch,  m_log,        m_settings,
+                m_ticker,     m_fileDialogs,    &m_audit, &m_marks, &m_references}
+    , m_recordings(
+          m_context,
+          {{QString::fromLatin1(recordingfact::kProgram), u"trexpanel"_s},
+           {QString::fromLatin1(recordingfact::kProgramVersion), QString::fromLatin1(kVersion)}})
 {
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, this, &Program::finish);
@@ -134,7 +140,7 @@ Result<void> Program::start()
 
 void Program::makeWindow()
 {
-    m_window = std::make_unique<MainWindow>(m_context, m_theme, m_languages.inUse());
+    m_window = std::make_unique<MainWindow>(m_context, m_recordings, m_theme, m_languages.inUse());
     connect(m_window.get(), &MainWindow::closeRequested, this, &Program::quit);
     connect(m_window.get(), &MainWindow::themeChosen, this, &Program::chooseTheme);
     connect(m_window.get(), &MainWindow::languageChosen, this, &Program::chooseLanguage);

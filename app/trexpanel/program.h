@@ -3,9 +3,11 @@
 
 #include "app/trexpanel/languages.h"
 #include "app/trexpanel/paneloptions.h"
+#include "protocol/procedures/markkeeper.h"
 #include "protocol/procedures/writeaudit.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/devicesettings.h"
+#include "protocol/telemetry/plotreferences.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/common/eventlog.h"
@@ -13,6 +15,7 @@
 #include "widgets/common/frameticker.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/uisettings.h"
+#include "widgets/recording/recordings.h"
 
 #include <QTimer>
 
@@ -60,10 +63,14 @@ private:
     DeviceSettings m_deviceSettings;
     Journal m_journal;
     WriteAudit m_audit;
+    MarkTrack m_marks;
+    MarkKeeper m_markKeeper;
+    PlotReferences m_references;
     EventLog m_log;
     FrameTicker m_ticker;
     FileDialogs m_fileDialogs;
     PanelContext m_context;
+    Recordings m_recordings;
     std::unique_ptr<Metrics> m_metrics;
     std::unique_ptr<ScriptPlayer> m_player;
     std::unique_ptr<MainWindow> m_window; ///< last: its panels use all of the above

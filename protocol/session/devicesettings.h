@@ -69,6 +69,8 @@ public:
 signals:
     void parameterChanged(int number); ///< a read or a read-back brought a value
     void calibrationChanged(trex::InputKind input, int channel);
+    /// What became of a write that was sent; exactly once for each.
+    void writeConcluded(const trex::WriteIntent& intent, const trex::WriteConclusion& conclusion);
     void forgotten(); ///< the link was lost or changed: nothing is known any more
 
 private:

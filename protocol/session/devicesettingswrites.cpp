@@ -116,9 +116,11 @@ void DeviceSettings::transmit(
 void DeviceSettings::conclude(const Pending& pending, WriteResult result,
                               const std::optional<SettingValue>& found, const QString& detail)
 {
+    const WriteConclusion conclusion{result, found, detail};
     if (m_recorder != nullptr && pending.number > 0) {
-        m_recorder->conclude(pending.number, {result, found, detail});
+        m_recorder->conclude(pending.number, conclusion);
     }
+    emit writeConcluded(pending.intent, conclusion);
 }
 
 void DeviceSettings::writeParameter(const ParameterRow& row, int raw, bool verify, QObject* context,

@@ -11,7 +11,7 @@ enum class Form : char { Plain = 1, Compressed = 2 };
 constexpr qsizetype kLengthBytes = 4;
 constexpr int kLargestNumberBytes = 10; // 64 bits, 7 a byte
 // Every number of the largest block at its longest: times, gaps and five columns.
-constexpr auto kLargestBody = (2 + kChannelCount) * kBlockSamples * kLargestNumberBytes + 64;
+constexpr auto kLargestBody = (2 + kMostValues) * kBlockSamples * kLargestNumberBytes + 64;
 
 class Packer {
 public:
@@ -115,9 +115,9 @@ qint64 largestStored(const StreamRow& row)
     return row.width == ValueWidth::Word ? 0xFFFF : 0xFF;
 }
 
-void takeColumns(Unpacker& body, PollId poll, SampleRun& run)
+void takeColumns(Unpacker& body, Source source, SampleRun& run)
 {
-    const auto& columns = streamsOf(poll);
+    const auto& columns = streamsOf(source);
     const std::size_t samples = run.size();
     run.values.resize(samples * columns.size());
     for (std::size_t column = 0; column < columns.size(); ++column) {
@@ -181,22 +181,22 @@ void SampleRun::clear()
     gaps.clear();
 }
 
-const std::vector<int>& streamsOf(PollId poll)
+const std::vector<int>& streamsOf(Source source)
 {
     static const auto kStreamsOf = [] {
-        std::array<std::vector<int>, kPollCount> all;
+        std::array<std::vector<int>, kSourceCount> all;
         int index = 0;
         for (const StreamRow& row : streams()) {
-            all[std::size_t(row.poll)].push_back(index++);
+            all[row.source.index()].push_back(index++);
         }
         return all;
     }();
-    return kStreamsOf.at(std::size_t(poll));
+    return kStreamsOf[source.index()];
 }
 
-std::vector<ColumnSummary> summarise(PollId poll, const SampleRun& run)
+std::vector<ColumnSummary> summarise(Source source, const SampleRun& run)
 {
-    const auto& columns = streamsOf(poll);
+    const auto& columns = streamsOf(source);
     std::vector<ColumnSummary> summaries(columns.size());
     for (std::size_t column = 0; column < columns.size(); ++column) {
         const auto invalid = streams()[std::size_t(columns[column])].invalid;
@@ -213,7 +213,7 @@ std::vector<ColumnSummary> summarise(PollId poll, const SampleRun& run)
     return summaries;
 }
 
-QByteArray encodeBlock(PollId poll, const SampleRun& run, bool isFinal)
+QByteArray encodeBlock(Source source, const SampleRun& run, bool isFinal)
 {
     Packer body;
     Tick before = 0;
@@ -230,7 +230,7 @@ QByteArray encodeBlock(PollId poll, const SampleRun& run, bool isFinal)
         body.add(gap - gapBefore);
         gapBefore = gap;
     }
-    const std::size_t columns = streamsOf(poll).size();
+    const std::size_t columns = streamsOf(source).size();
     for (std::size_t column = 0; column < columns; ++column) {
         int last = 0;
         for (std::size_t i = column; i < run.values.size(); i += columns) {
@@ -247,7 +247,7 @@ QByteArray encodeBlock(PollId poll, const SampleRun& run, bool isFinal)
     return char(Form::Plain) + body.bytes();
 }
 
-Result<SampleRun> decodeBlock(PollId poll, const QByteArray& data, std::size_t samples)
+Result<SampleRun> decodeBlock(Source source, const QByteArray& data, std::size_t samples)
 {
     const auto body = bodyOf(data);
     if (!body || samples == 0 || samples > kBlockSamples) {
@@ -261,7 +261,7 @@ Result<SampleRun> decodeBlock(PollId poll, const QByteArray& data, std::size_t s
         takeGaps(unpacker, samples, run);
     }
     if (unpacker.isGood()) {
-        takeColumns(unpacker, poll, run);
+        takeColumns(unpacker, source, run);
     }
     if (!unpacker.isGood() || !unpacker.isAtEnd()) {
         return fail(ErrorCode::FileMalformed);

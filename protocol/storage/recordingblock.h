@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a recording packs samples: blocks of one poll's samples, each with a summary beside it.
+// How a recording packs samples: blocks of one source's samples, each with a summary beside it.
 #pragma once
 
-#include "protocol/codec/polltable.h"
 #include "protocol/result.h"
 #include "protocol/telemetry/streamtable.h"
 #include "protocol/telemetry/timeaxis.h"
@@ -22,11 +21,11 @@ inline constexpr Tick kBlockSpan = std::chrono::seconds(60) / TimeAxis::kTick;
 /// Times beyond ± 5700 years are no times: sums and differences of others cannot overflow.
 inline constexpr Tick kLargestTick = Tick(1) << 54;
 
-/// Indices into streams() of what one poll fills, in the order of a block's columns. Empty for a
+/// Indices into streams() of what one source fills, in the order of a block's columns. Empty for a
 /// poll of a state (mode, who controls).
-[[nodiscard]] const std::vector<int>& streamsOf(PollId poll);
+[[nodiscard]] const std::vector<int>& streamsOf(Source source);
 
-/// Samples of one poll in order of time. Values are stored numbers as in the stream table.
+/// Samples of one source in order of time. Values are stored numbers as in the stream table.
 struct SampleRun {
     std::vector<Tick> ticks; ///< never falling
     std::vector<std::uint16_t> values; ///< sample by sample, all columns of each
@@ -44,7 +43,7 @@ struct ColumnSummary {
     quint64 valid = 0;
     bool operator==(const ColumnSummary&) const = default;
 };
-[[nodiscard]] std::vector<ColumnSummary> summarise(PollId poll, const SampleRun& run);
+[[nodiscard]] std::vector<ColumnSummary> summarise(Source source, const SampleRun& run);
 
 /// Form byte, then the body. The body is made of LEB128 numbers; signed ones are zigzag coded.
 ///   times:   first tick; then, for each further sample, how much its distance to the one before
@@ -53,9 +52,9 @@ struct ColumnSummary {
 ///   columns: one after another; each value less the one before (the first less 0)
 /// Form 1: the body as it is. Form 2: the length of the body in four bytes, the highest first, and
 /// the body as a zlib stream (qCompress). The smaller one is taken, form 1 without `isFinal`.
-[[nodiscard]] QByteArray encodeBlock(PollId poll, const SampleRun& run, bool isFinal);
+[[nodiscard]] QByteArray encodeBlock(Source source, const SampleRun& run, bool isFinal);
 /// FileMalformed for whatever encodeBlock() never writes; allocates no more than a block needs.
-[[nodiscard]] Result<SampleRun> decodeBlock(PollId poll, const QByteArray& data,
+[[nodiscard]] Result<SampleRun> decodeBlock(Source source, const QByteArray& data,
                                             std::size_t samples);
 /// CRC-32 (the one of Ethernet, zlib and PNG).
 [[nodiscard]] quint32 crc32(const QByteArray& data);

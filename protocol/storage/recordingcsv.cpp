@@ -21,15 +21,15 @@ struct Physical {
     int decimals = 0;
 };
 
-Physical physicalOf(PollId poll, const CsvOptions& options)
+Physical physicalOf(Source source, const CsvOptions& options)
 {
-    if (poll == PollId::Currents) {
+    if (source == PollId::Currents) {
         return {"A", amperesPerCount(options.model), 3};
     }
-    if (poll == PollId::RawChannels && options.input == InputKind::Rc) {
+    if (source == PollId::RawChannels && options.input == InputKind::Rc) {
         return {"us", microsecondsFromRaw(1), 1};
     }
-    if (poll == PollId::RawChannels && options.input == InputKind::Analog) {
+    if (source == PollId::RawChannels && options.input == InputKind::Analog) {
         return {"V", voltsFromRaw(1), 4};
     }
     return {};
@@ -47,13 +47,24 @@ QByteArray nameOf(const StreamRow& row)
     return key.replace('-', '_');
 }
 
-/// One poll's columns and where in its samples the rows are.
+/// "link_latency_ms" of "link-latency": of what has one plain number a sample.
+QByteArray plainNameOf(const StreamRow& row)
+{
+    const QByteArray unit(row.unit.data(), static_cast<qsizetype>(row.unit.size()));
+    QByteArray name = nameOf(row);
+    if (!unit.isEmpty()) {
+        name += '_' + QByteArray(unit).replace("/", "per_");
+    }
+    return name;
+}
+
+/// One source's columns and where in its samples the rows are.
 class Column {
 public:
-    Column(const TelemetryStore& store, PollId poll, const CsvOptions& options)
-        : m_poll(poll), m_physical(physicalOf(poll, options))
+    Column(const TelemetryStore& store, Source source, const CsvOptions& options)
+        : m_source(source), m_physical(physicalOf(source, options))
     {
-        for (const int stream : streamsOf(poll)) {
+        for (const int stream : streamsOf(source)) {
             m_series.push_back(&store.series(stream));
             m_rows.push_back(&streams()[std::size_t(stream)]);
         }
@@ -71,7 +82,13 @@ public:
 
     void addNames(QByteArray& header) const
     {
-        const auto* kind = m_poll == PollId::RemappedChannels ? "_remapped" : "_raw";
+        if (!m_source.poll()) {
+            for (const StreamRow* row : m_rows) {
+                header += ',' + plainNameOf(*row);
+            }
+            return;
+        }
+        const auto* kind = m_source == PollId::RemappedChannels ? "_remapped" : "_raw";
         for (const StreamRow* row : m_rows) {
             header += ',' + nameOf(*row) + kind;
         }
@@ -83,6 +100,10 @@ public:
     }
     void addCells(QByteArray& line) const
     {
+        if (!m_source.poll()) {
+            addPlainCells(line);
+            return;
+        }
         for (std::size_t i = 0; i < m_series.size(); ++i) {
             line += ',' + QByteArray::number(m_series[i]->value(m_next) + m_rows[i]->offset);
         }
@@ -100,7 +121,18 @@ public:
     }
 
 private:
-    PollId m_poll;
+    void addPlainCells(QByteArray& line) const
+    {
+        for (std::size_t i = 0; i < m_series.size(); ++i) {
+            line += ',';
+            if (m_series[i]->isValid(m_next)) {
+                const double physical = physicalFromStored(*m_rows[i], m_series[i]->value(m_next));
+                line += QByteArray::number(physical, 'f', m_rows[i]->decimals);
+            }
+        }
+    }
+
+    Source m_source;
     Physical m_physical;
     std::vector<const TimeSeries*> m_series;
     std::vector<const StreamRow*> m_rows;
@@ -111,9 +143,9 @@ private:
 std::vector<Column> columnsOf(const TelemetryStore& store, const CsvOptions& options)
 {
     std::vector<Column> columns;
-    for (const PollRow& poll : kPolls) {
-        if (options.polls[std::size_t(poll.id)]) {
-            Column column(store, poll.id, options);
+    for (const SourceRow& row : kSources) {
+        if (options.polls[row.source.index()]) {
+            Column column(store, row.source, options);
             if (!column.isEmpty()) {
                 columns.push_back(std::move(column));
             }
@@ -134,8 +166,8 @@ std::optional<Tick> earliest(const std::vector<Column>& columns)
     return tick;
 }
 
-/// A row from the earliest sample up to the first poll's next one (theirs begin rows, so that their
-/// times are exact): each poll's next sample, if it comes in that time.
+/// A row from the earliest sample up to the first source's next one (theirs begin rows, so that
+/// their times are exact): each source's next sample, if it comes in that time.
 QByteArray nextRow(std::vector<Column>& columns, Tick time, double seconds)
 {
     Column& first = columns.front();

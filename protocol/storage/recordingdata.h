@@ -71,7 +71,7 @@ struct RecordedConfiguration {
 /// One go at the file: all of it is written, or nothing.
 struct RecordingBatch {
     RecordingFacts facts;
-    std::array<SampleRun, kPollCount> runs;
+    std::array<SampleRun, kSourceCount> runs;
     std::vector<RecordedEvent> events;
     std::vector<RecordedPacket> packets;
     std::vector<RecordedHealth> health;

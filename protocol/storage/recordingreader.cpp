@@ -180,7 +180,7 @@ Result<void> RecordingReader::readFacts()
     return {};
 }
 
-/// A poll counts as known when its columns are ours, in our order.
+/// A source counts as known when its columns are ours, in our order.
 Result<void> RecordingReader::checkStreams()
 {
     const auto rows = m_database->rows(
@@ -188,20 +188,20 @@ Result<void> RecordingReader::checkStreams()
     if (!rows) {
         return tl::make_unexpected(malformed(Recording::tr("too damaged to be opened")));
     }
-    std::array<std::size_t, kPollCount> agreeing{};
-    std::array<std::size_t, kPollCount> all{};
+    std::array<std::size_t, kSourceCount> agreeing{};
+    std::array<std::size_t, kSourceCount> all{};
     while ((*rows)->next()) {
         const QSqlQuery& row = **rows;
-        const QString poll = row.value(2).toString();
-        const auto known = std::find_if(kPolls.begin(), kPolls.end(), [&](const PollRow& each) {
-            return poll == textOf(each.key);
-        });
-        if (known == kPolls.end()) {
+        const QString key = row.value(2).toString();
+        const auto* known =
+            std::find_if(kSources.begin(), kSources.end(),
+                         [&](const SourceRow& each) { return key == textOf(each.key); });
+        if (known == kSources.end()) {
             m_isForeign = true;
             continue;
         }
-        const auto id = std::size_t(known->id);
-        const auto& columns = streamsOf(known->id);
+        const auto id = known->source.index();
+        const auto& columns = streamsOf(known->source);
         const auto position = row.value(3).toULongLong();
         ++all[id];
         if (position >= columns.size()) {
@@ -219,9 +219,9 @@ Result<void> RecordingReader::checkStreams()
         }
     }
     (*rows)->finish();
-    for (const PollRow& poll : kPolls) {
-        const auto id = std::size_t(poll.id);
-        const std::size_t columns = streamsOf(poll.id).size();
+    for (const SourceRow& source : kSources) {
+        const auto id = source.source.index();
+        const std::size_t columns = streamsOf(source.source).size();
         m_isKnown[id] = columns > 0 && agreeing[id] == columns && all[id] == columns;
         m_isForeign = m_isForeign || (columns > 0 && all[id] > 0 && !m_isKnown[id]);
     }

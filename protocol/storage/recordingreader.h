@@ -41,7 +41,7 @@ public:
     [[nodiscard]] Model model() const; ///< TReX Jr unless the signature says otherwise
     [[nodiscard]] std::optional<InputKind> input() const; ///< at the start, as far as known
 
-    [[nodiscard]] std::size_t samples(PollId poll) const;
+    [[nodiscard]] std::size_t samples(Source source) const;
     /// First and last sample of all; none: no samples.
     [[nodiscard]] std::optional<std::pair<Tick, Tick>> range() const;
     [[nodiscard]] std::vector<RecordingSpan> overview(int streamIndex) const;
@@ -70,7 +70,7 @@ private:
         Tick last = 0;
         std::size_t samples = 0;
         quint32 crc = 0;
-        PollId poll = PollId::Currents;
+        Source source = PollId::Currents;
         bool hasGap = false;
     };
     struct Summary {
@@ -96,7 +96,7 @@ private:
     std::unique_ptr<QTemporaryDir> m_copy; ///< of a file that cannot be read where it is
     std::unique_ptr<RecordingDatabase> m_database;
     RecordingFacts m_facts;
-    std::array<bool, kPollCount> m_isKnown{}; ///< polls whose columns are as ours
+    std::array<bool, kSourceCount> m_isKnown{}; ///< sources whose columns are as ours
     std::vector<Block> m_blocks; ///< by time of the first sample
     std::vector<std::vector<Summary>> m_summaries; ///< by stream, in order of blocks
     std::size_t m_nextBlock = 0; ///< to be loaded

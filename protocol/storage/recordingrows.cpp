@@ -73,17 +73,17 @@ void RecordingReader::eachRow(const QString& sql, const QVariantList& values, F&
 
 void RecordingReader::readBlocks()
 {
-    std::map<QString, PollId> polls;
-    for (const PollRow& poll : kPolls) {
-        if (m_isKnown[std::size_t(poll.id)]) {
-            polls[textOf(poll.key)] = poll.id;
+    std::map<QString, Source> sources;
+    for (const SourceRow& row : kSources) {
+        if (m_isKnown[row.source.index()]) {
+            sources.emplace(textOf(row.key), row.source);
         }
     }
     eachRow(
         u"SELECT id, poll, samples, first, last, gaps, crc FROM block LIMIT %1"_s.arg(kMostBlocks),
         {}, [&](const QSqlQuery& row) {
-            const auto poll = polls.find(row.value(1).toString());
-            if (poll == polls.end()) {
+            const auto source = sources.find(row.value(1).toString());
+            if (source == sources.end()) {
                 return m_isForeign;
             }
             const qint64 samples = row.value(2).toLongLong();
@@ -92,7 +92,7 @@ void RecordingReader::readBlocks()
                               .last = row.value(4).toLongLong(),
                               .samples = static_cast<std::size_t>(samples),
                               .crc = static_cast<quint32>(row.value(6).toLongLong()),
-                              .poll = poll->second,
+                              .source = source->second,
                               .hasGap = row.value(5).toLongLong() != 0};
             if (samples < 1 || samples > qint64(kBlockSamples) || !isTick(row.value(3))
                 || !isTick(row.value(4)) || block.last < block.first) {
@@ -125,7 +125,7 @@ void RecordingReader::readSummaries()
                 Summary summary{block->second, {}};
                 summary.values.sum = counter(row.value(4));
                 summary.values.valid = counter(row.value(5));
-                if (ours.poll != m_blocks[block->second].poll
+                if (ours.source != m_blocks[block->second].source
                     || summary.values.valid > m_blocks[block->second].samples) {
                     return false;
                 }
@@ -141,11 +141,11 @@ void RecordingReader::readSummaries()
     }
 }
 
-std::size_t RecordingReader::samples(PollId poll) const
+std::size_t RecordingReader::samples(Source source) const
 {
     std::size_t count = 0;
     for (const Block& block : m_blocks) {
-        count += block.poll == poll ? block.samples : 0;
+        count += block.source == source ? block.samples : 0;
     }
     return count;
 }
@@ -195,7 +195,7 @@ Result<SampleRun> RecordingReader::readBlock(const Block& block)
     if (!isThere || crc32(data) != block.crc) {
         return fail(ErrorCode::FileMalformed);
     }
-    auto run = decodeBlock(block.poll, data, block.samples);
+    auto run = decodeBlock(block.source, data, block.samples);
     if (run && (run->ticks.front() != block.first || run->ticks.back() != block.last)) {
         return fail(ErrorCode::FileMalformed);
     }
@@ -210,24 +210,23 @@ bool RecordingReader::loadSome(TelemetryStore& store, Instant origin, std::size_
         const auto run = readBlock(block);
         if (!run) {
             ++m_damaged;
-            store.markGap(block.poll);
+            store.markGap(block.source);
             continue;
         }
-        const auto& columns = streamsOf(block.poll);
+        const auto& columns = streamsOf(block.source);
         auto gap = run->gaps.begin();
-        PollSample sample{block.poll, {}, {}};
+        std::array<std::uint16_t, kMostValues> raw{};
         for (std::size_t s = 0; s < run->size(); ++s) {
             if (gap != run->gaps.end() && *gap == s) {
-                store.markGap(block.poll);
+                store.markGap(block.source);
                 ++gap;
             }
             for (std::size_t c = 0; c < columns.size(); ++c) {
                 const StreamRow& row = streams()[std::size_t(columns[c])];
-                sample.raw[std::size_t(row.field)] =
+                raw[std::size_t(row.field)] =
                     rawFromStored(row, run->values[s * columns.size() + c]);
             }
-            sample.time = TimeAxis::instantOf(run->ticks[s] + offset);
-            store.append(sample);
+            store.append(block.source, raw, TimeAxis::instantOf(run->ticks[s] + offset));
         }
     }
     return m_nextBlock < m_blocks.size();

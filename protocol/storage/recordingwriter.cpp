@@ -85,12 +85,12 @@ Result<void> RecordingWriter::setUp(const RecordingFacts& facts)
             return done;
         }
     }
-    for (const PollRow& poll : kPolls) {
-        const auto& columns = streamsOf(poll.id);
+    for (const SourceRow& source : kSources) {
+        const auto& columns = streamsOf(source.source);
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const StreamRow& row = streams()[std::size_t(columns[i])];
             auto done = run(u"INSERT INTO stream VALUES(?,?,?,?,?,?,?,?,?)"_s,
-                            {columns[i], textOf(row.key), textOf(poll.key), static_cast<int>(i),
+                            {columns[i], textOf(row.key), textOf(source.key), static_cast<int>(i),
                              textOf(row.unit), row.scale, row.offset, static_cast<int>(row.width),
                              row.invalid ? QVariant(*row.invalid) : QVariant()});
             if (!done) {
@@ -127,8 +127,8 @@ Result<void> RecordingWriter::writeAll(const RecordingBatch& batch)
     if (auto done = writeFacts(batch.facts); !done) {
         return done;
     }
-    for (const PollRow& poll : kPolls) {
-        if (auto done = writeRun(poll.id, batch.runs[std::size_t(poll.id)]); !done) {
+    for (const SourceRow& row : kSources) {
+        if (auto done = writeRun(row.source, batch.runs[row.source.index()]); !done) {
             return done;
         }
     }
@@ -177,16 +177,16 @@ Result<void> RecordingWriter::writeFacts(const RecordingFacts& facts)
     return {};
 }
 
-Result<void> RecordingWriter::writeRun(PollId poll, const SampleRun& run)
+Result<void> RecordingWriter::writeRun(Source source, const SampleRun& run)
 {
-    const std::size_t columns = streamsOf(poll).size();
-    OpenBlock& open = m_open[std::size_t(poll)];
+    const std::size_t columns = streamsOf(source).size();
+    OpenBlock& open = m_open[source.index()];
     auto nextGap = run.gaps.begin();
     for (std::size_t i = 0; i < run.size(); ++i) {
         const bool isFull = open.run.size() == kBlockSamples
             || (!open.run.isEmpty() && run.ticks[i] - open.run.ticks.front() >= kBlockSpan);
         if (isFull) {
-            if (auto done = writeBlock(poll, true); !done) {
+            if (auto done = writeBlock(source, true); !done) {
                 return done;
             }
             open = {};
@@ -200,26 +200,26 @@ Result<void> RecordingWriter::writeRun(PollId poll, const SampleRun& run)
         open.run.values.insert(open.run.values.end(), values,
                                values + static_cast<std::ptrdiff_t>(columns));
     }
-    return run.isEmpty() ? Result<void>() : writeBlock(poll, false);
+    return run.isEmpty() ? Result<void>() : writeBlock(source, false);
 }
 
 /// The growing block is written again with each batch; compressed when it is full.
-Result<void> RecordingWriter::writeBlock(PollId poll, bool isFinal)
+Result<void> RecordingWriter::writeBlock(Source source, bool isFinal)
 {
-    OpenBlock& open = m_open[std::size_t(poll)];
+    OpenBlock& open = m_open[source.index()];
     if (open.id == 0) {
         open.id = m_nextBlock++;
     }
-    const QByteArray data = encodeBlock(poll, open.run, isFinal);
+    const QByteArray data = encodeBlock(source, open.run, isFinal);
     auto done = run(u"INSERT OR REPLACE INTO block VALUES(?,?,?,?,?,?,?)"_s,
-                    {open.id, textOf(pollRow(poll).key), number(open.run.size()),
+                    {open.id, textOf(sourceRow(source).key), number(open.run.size()),
                      number(open.run.ticks.front()), number(open.run.ticks.back()),
                      number(open.run.gaps.size()), number(crc32(data))})
                     .and_then([&] {
                         return run(u"INSERT OR REPLACE INTO data VALUES(?,?)"_s, {open.id, data});
                     });
-    const auto summaries = summarise(poll, open.run);
-    const auto& columns = streamsOf(poll);
+    const auto summaries = summarise(source, open.run);
+    const auto& columns = streamsOf(source);
     for (std::size_t i = 0; i < columns.size() && done; ++i) {
         const ColumnSummary& summary = summaries[i];
         const bool hasValid = !summary.extent.isEmpty();
@@ -265,9 +265,9 @@ Result<void> RecordingWriter::writeConfiguration(const RecordedConfiguration& re
 Result<void> RecordingWriter::finish()
 {
     auto done = run(u"BEGIN IMMEDIATE"_s);
-    for (const PollRow& poll : kPolls) {
-        if (done && !m_open[std::size_t(poll.id)].run.isEmpty()) {
-            done = writeBlock(poll.id, true);
+    for (const SourceRow& row : kSources) {
+        if (done && !m_open[row.source.index()].run.isEmpty()) {
+            done = writeBlock(row.source, true);
         }
     }
     done = done.and_then([this] { return run(u"COMMIT"_s); });

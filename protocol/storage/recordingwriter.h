@@ -33,8 +33,8 @@ private:
     [[nodiscard]] Result<void> setUp(const RecordingFacts& facts);
     [[nodiscard]] Result<void> writeAll(const RecordingBatch& batch);
     [[nodiscard]] Result<void> writeFacts(const RecordingFacts& facts);
-    [[nodiscard]] Result<void> writeRun(PollId poll, const SampleRun& run);
-    [[nodiscard]] Result<void> writeBlock(PollId poll, bool isFinal);
+    [[nodiscard]] Result<void> writeRun(Source source, const SampleRun& run);
+    [[nodiscard]] Result<void> writeBlock(Source source, bool isFinal);
     [[nodiscard]] Result<void> writeConfiguration(const RecordedConfiguration& recorded);
     [[nodiscard]] Result<void> run(const QString& sql, const QVariantList& values = {});
 
@@ -43,7 +43,7 @@ private:
         SampleRun run;
     };
     std::unique_ptr<RecordingDatabase> m_database;
-    std::array<OpenBlock, kPollCount> m_open; ///< the newest block of each poll, still growing
+    std::array<OpenBlock, kSourceCount> m_open; ///< the newest block of each source, still growing
     qint64 m_nextBlock = 1;
     qint64 m_nextConfiguration = 1;
 };

@@ -13,27 +13,27 @@ void SampleTap::startNow()
 void SampleTap::startAt(Instant from)
 {
     m_clears = m_store.clears();
-    for (const PollRow& poll : kPolls) {
-        const auto& columns = streamsOf(poll.id);
+    for (const SourceRow& row : kSources) {
+        const auto& columns = streamsOf(row.source);
         if (columns.empty()) {
             continue;
         }
         const TimeAxis& axis = m_store.series(columns.front()).axis();
-        m_next[std::size_t(poll.id)] = axis.lowerBound(TimeAxis::ticksOf(from));
+        m_next[row.source.index()] = axis.lowerBound(TimeAxis::ticksOf(from));
     }
 }
 
 std::size_t SampleTap::take(const Wanted& wanted, Tick origin, std::size_t most,
-                            std::array<SampleRun, kPollCount>& runs)
+                            std::array<SampleRun, kSourceCount>& runs)
 {
     if (m_clears != m_store.clears()) {
         m_clears = m_store.clears();
         m_next = {};
     }
     std::size_t taken = 0;
-    for (const PollRow& poll : kPolls) {
-        const auto id = std::size_t(poll.id);
-        const auto& columns = streamsOf(poll.id);
+    for (const SourceRow& row : kSources) {
+        const auto id = row.source.index();
+        const auto& columns = streamsOf(row.source);
         if (!wanted[id] || columns.empty()) {
             continue;
         }

@@ -10,7 +10,7 @@ namespace {
 
 // Bounds of what waits for a slow disk: about a minute of everything.
 constexpr int kMostUnderWay = 4; // batches
-constexpr std::size_t kMostSamples = 200'000; // a batch, of one poll; the rest waits in the store
+constexpr std::size_t kMostSamples = 200'000; // a batch, of one source; the rest waits in the store
 constexpr std::size_t kMostEntries = 50'000; // a batch, of each kind
 
 Instant clockNow()
@@ -101,12 +101,16 @@ void SessionRecorder::start(const RecordingPlan& plan)
         m_tap.startNow();
     }
     m_isRecording = true;
-    m_thread.create(plan.path, startFacts(),
-                    [this, generation = m_generation](const Result<void>& created) {
+    for (const RecordedEvent& event : m_feed.state()) {
+        keep(m_pending.events, event);
+    }
+    m_thread.create(plan.path, startFacts(), plan.existing,
+                    [this, generation = m_generation](const Result<QString>& created) {
                         if (generation != m_generation) {
                             return;
                         }
                         if (created) {
+                            m_plan.path = *created;
                             emit started(m_plan.path);
                         } else {
                             onFailure(created.error());
@@ -132,7 +136,7 @@ void SessionRecorder::pull()
     if (!m_isRecording) {
         return;
     }
-    std::array<std::size_t, kPollCount> before{};
+    std::array<std::size_t, kSourceCount> before{};
     for (std::size_t i = 0; i < before.size(); ++i) {
         before[i] = m_pending.runs[i].size();
     }

@@ -15,7 +15,9 @@ namespace trex {
 
 struct RecordingPlan {
     QString path{};
-    SampleTap::Wanted polls{}; ///< those that fill streams; others have no samples
+    /// Keep: the file gets a name of its own when this one is taken; path() says which.
+    RecorderThread::Existing existing = RecorderThread::Existing::Replace;
+    SampleTap::Wanted polls{}; ///< and other sources; states have no samples
     bool hasPackets = false; ///< every attempt on the wire, too
     Duration history{0}; ///< how much of what the store already holds goes before
     RecordingFacts facts{}; ///< program and version, and whatever else is known
@@ -48,8 +50,10 @@ public:
 
     [[nodiscard]] bool isRecording() const { return m_isRecording; }
     [[nodiscard]] QString path() const { return m_plan.path; }
-    /// Of the poll that has most: the rows of its CSV.
+    /// Of the source that has most: the rows of its CSV.
     [[nodiscard]] std::size_t samples() const;
+    /// On the disk, as of the last batch that it took.
+    [[nodiscard]] qint64 bytes() const { return m_thread.bytes(); }
     [[nodiscard]] std::size_t dropped() const { return m_dropped; } ///< events and packets
     [[nodiscard]] Duration length() const; ///< from the first sample to the last
 
@@ -79,7 +83,7 @@ private:
     bool m_isRecording = false;
     int m_underWay = 0; ///< batches that the disk has not taken yet
     quint32 m_generation = 0; ///< of the recording; answers of earlier ones are no news
-    std::array<std::size_t, kPollCount> m_samples{};
+    std::array<std::size_t, kSourceCount> m_samples{};
     std::optional<Tick> m_first;
     Tick m_last = 0;
     std::size_t m_dropped = 0;

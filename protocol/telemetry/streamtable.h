@@ -3,7 +3,7 @@
 // loop over the rows; a new curve is one row in streamtable.cpp.
 #pragma once
 
-#include "protocol/codec/polltable.h"
+#include "protocol/telemetry/source.h"
 #include "protocol/telemetry/timeseries.h"
 
 #include <span>
@@ -21,12 +21,16 @@ enum class StreamColour : std::uint8_t {
     Channel3,
     Channel4,
     Channel5,
-    Neutral
+    Neutral,
+    Aux
 };
 
 /// How a raw number of a reply is kept: as it is, or turned from sign and magnitude to a count
 /// from −127 stored as 0, so that extremes are extremes.
 enum class StreamEncoding : std::uint8_t { Plain, SignMagnitude };
+
+inline constexpr std::uint16_t kUnknownOrder = 0xFF; ///< nobody knows what the motor was told
+inline constexpr std::uint16_t kNoLatency = 0xFFFF; ///< no reply in that time
 
 struct StreamRow {
     std::string_view key;
@@ -35,8 +39,8 @@ struct StreamRow {
     double scale = 1.0; ///< physical = (stored + offset) × scale
     int offset = 0;
     int decimals = 0;
-    PollId poll = PollId::Currents;
-    int field = 0; ///< which number of the poll's reply
+    Source source = PollId::Currents;
+    int field = 0; ///< which number of the source's samples
     ValueWidth width = ValueWidth::Byte;
     StreamEncoding encoding = StreamEncoding::Plain;
     std::optional<std::uint16_t> invalid{}; ///< stored number that is no value

@@ -7,11 +7,11 @@ namespace trex {
 
 namespace {
 
-/// A poll that misses this much of its turns was interrupted: hidden panel, lost line.
-Duration longestStep(const PollRow& poll)
+/// A source that misses this much of its turns was interrupted: hidden panel, lost line.
+Duration longestStep(const SourceRow& source)
 {
     constexpr double kMissedTurns = 5.0;
-    const std::chrono::duration<double> turns(kMissedTurns / poll.hertz);
+    const std::chrono::duration<double> turns(kMissedTurns / source.hertz);
     return std::max<Duration>(std::chrono::seconds(1), std::chrono::duration_cast<Duration>(turns));
 }
 
@@ -19,14 +19,14 @@ Duration longestStep(const PollRow& poll)
 
 TelemetryStore::TelemetryStore()
 {
-    for (const PollRow& poll : kPolls) {
-        m_axes[std::size_t(poll.id)] = std::make_unique<TimeAxis>(longestStep(poll));
+    for (const SourceRow& row : kSources) {
+        m_axes[row.source.index()] = std::make_unique<TimeAxis>(longestStep(row));
     }
     int index = 0;
     for (const StreamRow& row : streams()) {
         m_series.push_back(
-            std::make_unique<TimeSeries>(*m_axes[std::size_t(row.poll)], row.width, row.invalid));
-        m_streamsOf[std::size_t(row.poll)].push_back(index++);
+            std::make_unique<TimeSeries>(*m_axes[row.source.index()], row.width, row.invalid));
+        m_streamsOf[row.source.index()].push_back(index++);
     }
 }
 
@@ -34,20 +34,24 @@ TelemetryStore::~TelemetryStore() = default;
 
 void TelemetryStore::append(const PollSample& sample)
 {
-    const auto poll = std::size_t(sample.poll);
+    m_latest[std::size_t(sample.poll)] = sample;
+    append(sample.poll, sample.raw, sample.time);
+}
+
+void TelemetryStore::append(Source source, std::span<const std::uint16_t> raw, Instant time)
+{
     if (!m_start) {
-        m_start = sample.time;
+        m_start = time;
     }
-    m_latest[poll] = sample;
     ++m_revision;
-    if (m_streamsOf[poll].empty()) {
+    const auto& columns = m_streamsOf[source.index()];
+    if (columns.empty()) {
         return; // a state (mode, who controls): its latest value is all there is to it
     }
-    m_axes[poll]->append(sample.time);
-    for (const int index : m_streamsOf[poll]) {
+    m_axes[source.index()]->append(time);
+    for (const int index : columns) {
         const StreamRow& row = streams()[std::size_t(index)];
-        m_series[std::size_t(index)]->append(
-            storedFromRaw(row, sample.raw[std::size_t(row.field)]));
+        m_series[std::size_t(index)]->append(storedFromRaw(row, raw[std::size_t(row.field)]));
     }
 }
 
@@ -60,10 +64,12 @@ void TelemetryStore::markGap(Instant)
     ++m_revision;
 }
 
-void TelemetryStore::markGap(PollId poll)
+void TelemetryStore::markGap(Source source)
 {
-    m_axes.at(std::size_t(poll))->markGap();
-    m_latest.at(std::size_t(poll)).reset();
+    m_axes[source.index()]->markGap();
+    if (const auto poll = source.poll()) {
+        m_latest[std::size_t(*poll)].reset();
+    }
     ++m_revision;
 }
 

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/codec/polltable.h"
+#include "protocol/telemetry/source.h"
 #include "protocol/telemetry/timeseries.h"
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace trex {
 
-/// Every sample of the session, one series a stream of streamtable.h; the streams of one poll share
-/// their times. Main thread: one writer (the façade), readers without copying. A revision counter
-/// tells views what is new; there is no signal a sample.
+/// Every sample of the session, one series a stream of streamtable.h; the streams of one source
+/// share their times. Main thread: one writer (the façade), readers without copying. A revision
+/// counter tells views what is new; there is no signal a sample.
 class TelemetryStore {
 public:
     TelemetryStore();
@@ -20,8 +21,10 @@ public:
     Q_DISABLE_COPY_MOVE(TelemetryStore)
 
     void append(const PollSample& sample);
+    /// Of any source; `raw` holds its SourceRow::values numbers.
+    void append(Source source, std::span<const std::uint16_t> raw, Instant time);
     void markGap(Instant time); ///< the link was lost: series must not be bridged across it
-    void markGap(PollId poll); ///< the same for what one poll fills
+    void markGap(Source source); ///< the same for what one source fills
     void clear();
     [[nodiscard]] const TimeSeries& series(int streamIndex) const; ///< index into streams()
     [[nodiscard]] const TimeSeries& series(std::string_view streamKey) const; ///< a row's key
@@ -33,9 +36,9 @@ public:
     [[nodiscard]] std::size_t memoryBytes() const; ///< of all samples, times and pyramids
 
 private:
-    std::array<std::unique_ptr<TimeAxis>, kPollCount> m_axes;
+    std::array<std::unique_ptr<TimeAxis>, kSourceCount> m_axes;
     std::vector<std::unique_ptr<TimeSeries>> m_series;
-    std::array<std::vector<int>, kPollCount> m_streamsOf;
+    std::array<std::vector<int>, kSourceCount> m_streamsOf;
     std::array<std::optional<PollSample>, kPollCount> m_latest;
     std::optional<Instant> m_start;
     quint64 m_revision = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/telemetry/timeseries.h"
 
+#include <algorithm>
+
 namespace trex {
 
 namespace {
@@ -29,12 +31,25 @@ std::size_t snapOf(std::size_t samples)
 } // namespace
 
 TimeSeries::TimeSeries(const TimeAxis& axis, ValueWidth width, std::optional<std::uint16_t> invalid)
-    : m_axis(axis), m_values(makeValues(width, invalid))
+    : m_axis(axis), m_values(makeValues(width, invalid)), m_invalid(invalid)
 {
 }
 
 void TimeSeries::append(std::uint16_t value)
 {
+    const std::size_t index = size();
+    const TimeAxis::Tick tick = m_axis.lastTick();
+    const bool isValid = value != m_invalid;
+    const bool hasGap = !m_axis.gaps().empty() && m_axis.gaps().back() == index;
+    if (isValid && m_lastValue && !hasGap) {
+        m_area +=
+            static_cast<std::uint64_t>(tick - m_lastTick) * (std::uint64_t(value) + *m_lastValue);
+    }
+    if (index % kChunkSize == 0) {
+        m_areas.push_back(m_area);
+    }
+    m_lastTick = tick;
+    m_lastValue = isValid ? std::optional(value) : std::nullopt;
     if (auto* bytes = std::get_if<0>(&m_values)) {
         bytes->append(static_cast<std::uint8_t>(value));
     } else {
@@ -45,6 +60,10 @@ void TimeSeries::append(std::uint16_t value)
 void TimeSeries::clear()
 {
     std::visit([](auto& values) { values.clear(); }, m_values);
+    m_areas.clear();
+    m_area = 0;
+    m_lastTick = 0;
+    m_lastValue.reset();
 }
 
 std::size_t TimeSeries::size() const
@@ -67,17 +86,47 @@ Extent TimeSeries::extent(std::size_t begin, std::size_t end) const
     return std::visit([&](const auto& values) { return values.extent(begin, end); }, m_values);
 }
 
-std::optional<double> TimeSeries::mean(std::size_t begin, std::size_t end) const
+TimeSeries::Sum TimeSeries::sum(std::size_t begin, std::size_t end) const
 {
     return std::visit(
-        [&](const auto& values) -> std::optional<double> {
+        [&](const auto& values) {
             const auto sum = values.sum(begin, end);
-            if (sum.valid == 0) {
-                return std::nullopt;
-            }
-            return double(sum.sum) / double(sum.valid);
+            return Sum{sum.sum, sum.squares, sum.valid};
         },
         m_values);
+}
+
+std::optional<double> TimeSeries::mean(std::size_t begin, std::size_t end) const
+{
+    const Sum all = sum(begin, end);
+    return all.valid == 0 ? std::nullopt : std::optional(double(all.sum) / double(all.valid));
+}
+
+std::uint64_t TimeSeries::doubleArea(std::size_t begin, std::size_t end) const
+{
+    return begin + 1 < end ? doubleAreaTo(end - 1) - doubleAreaTo(begin) : 0;
+}
+
+/// Of all steps up to the one that ends at this sample.
+std::uint64_t TimeSeries::doubleAreaTo(std::size_t sample) const
+{
+    if (sample + 1 >= size()) {
+        return m_area;
+    }
+    const std::size_t first = sample / kChunkSize * kChunkSize;
+    std::uint64_t area = m_areas[sample / kChunkSize];
+    const std::vector<std::size_t>& gaps = m_axis.gaps();
+    auto gap = std::upper_bound(gaps.begin(), gaps.end(), first);
+    for (std::size_t i = first + 1; i <= sample; ++i) {
+        const bool hasGap = gap != gaps.end() && *gap == i;
+        if (hasGap) {
+            ++gap;
+        } else if (isValid(i) && isValid(i - 1)) {
+            const auto step = static_cast<std::uint64_t>(m_axis.tick(i) - m_axis.tick(i - 1));
+            area += step * static_cast<std::uint64_t>(value(i) + value(i - 1));
+        }
+    }
+    return area;
 }
 
 std::pair<std::size_t, std::size_t> TimeSeries::range(Instant from, Instant to) const
@@ -120,7 +169,8 @@ void TimeSeries::columns(const ColumnGrid& grid, std::vector<PlotColumn>& column
 
 std::size_t TimeSeries::memoryBytes() const
 {
-    return std::visit([](const auto& values) { return values.memoryBytes(); }, m_values);
+    return std::visit([](const auto& values) { return values.memoryBytes(); }, m_values)
+        + m_areas.capacity() * sizeof(m_areas[0]);
 }
 
 } // namespace trex

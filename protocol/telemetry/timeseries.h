@@ -45,6 +45,12 @@ public:
     [[nodiscard]] Extent extent(std::size_t begin, std::size_t end) const;
     /// Mean of the valid samples of [begin, end); none when there is none.
     [[nodiscard]] std::optional<double> mean(std::size_t begin, std::size_t end) const;
+    using Sum = ValueColumn<std::uint8_t>::Sum;
+    /// Sum, sum of squares and number of the valid samples of [begin, end), all exact.
+    [[nodiscard]] Sum sum(std::size_t begin, std::size_t end) const;
+    /// Twice the area under the samples of [begin, end), joined by straight lines: stored units ×
+    /// ticks. Gaps and invalid samples have none. At most a chunk at each end is walked.
+    [[nodiscard]] std::uint64_t doubleArea(std::size_t begin, std::size_t end) const;
     /// Samples of [from, to) as indices.
     [[nodiscard]] std::pair<std::size_t, std::size_t> range(Instant from, Instant to) const;
 
@@ -57,8 +63,17 @@ public:
     [[nodiscard]] std::size_t memoryBytes() const;
 
 private:
+    [[nodiscard]] std::uint64_t doubleAreaTo(std::size_t sample) const;
+
     const TimeAxis& m_axis;
     std::variant<ValueColumn<std::uint8_t>, ValueColumn<std::uint16_t>> m_values;
+    std::optional<std::uint16_t> m_invalid;
+    // Running areas, so that a charge over a day needs no walk over it: one number a chunk.
+    std::vector<std::uint64_t>
+        m_areas; ///< doubled, up to and with the step to the chunk's first sample
+    std::uint64_t m_area = 0;
+    TimeAxis::Tick m_lastTick = 0;
+    std::optional<std::uint16_t> m_lastValue; ///< none: invalid, or there is none yet
 };
 
 } // namespace trex

@@ -43,7 +43,8 @@ public:
         if (place == 0) {
             m_chunks.push_back(std::make_unique_for_overwrite<Chunk>());
             const Total before = m_totals.empty() ? Total{} : m_totals.back();
-            m_totals.push_back({std::numeric_limits<T>::max(), 0, before.sum, before.valid});
+            m_totals.push_back(
+                {std::numeric_limits<T>::max(), 0, before.sum, before.squares, before.valid});
         }
         Chunk& chunk = *m_chunks.back();
         chunk.values[place] = value;
@@ -62,6 +63,7 @@ public:
         total.low = low < total.low ? low : total.low;
         total.high = high > total.high ? high : total.high;
         total.sum += isValid ? value : 0U;
+        total.squares += isValid ? std::uint64_t(value) * value : 0U;
         total.valid += isValid ? 1U : 0U;
         ++m_size;
     }
@@ -98,10 +100,11 @@ public:
 
     struct Sum {
         std::uint64_t sum = 0;
+        std::uint64_t squares = 0;
         std::size_t valid = 0;
     };
-    /// Sum and number of the valid samples of [begin, end): at most one chunk at each end is
-    /// walked.
+    /// Sum, sum of squares and number of the valid samples of [begin, end): at most one chunk at
+    /// each end is walked.
     [[nodiscard]] Sum sum(std::size_t begin, std::size_t end) const
     {
         if (begin >= end) {
@@ -109,7 +112,7 @@ public:
         }
         const Sum upTo = sumBefore(end);
         const Sum from = sumBefore(begin);
-        return {upTo.sum - from.sum, upTo.valid - from.valid};
+        return {upTo.sum - from.sum, upTo.squares - from.squares, upTo.valid - from.valid};
     }
 
     [[nodiscard]] std::size_t memoryBytes() const
@@ -130,7 +133,8 @@ private:
     struct Total {
         T low = std::numeric_limits<T>::max();
         T high = 0;
-        std::uint64_t sum = 0; ///< of all samples up to and with this chunk
+        std::uint64_t sum = 0; ///< of all samples up to and with this chunk, as the next two
+        std::uint64_t squares = 0;
         std::uint64_t valid = 0;
     };
 
@@ -164,12 +168,14 @@ private:
         const std::size_t chunkIndex = end / kChunkSize;
         Sum result;
         if (chunkIndex > 0) {
-            result = {m_totals[chunkIndex - 1].sum, m_totals[chunkIndex - 1].valid};
+            const Total& before = m_totals[chunkIndex - 1];
+            result = {before.sum, before.squares, before.valid};
         }
         for (std::size_t i = chunkIndex * kChunkSize; i < end; ++i) {
             const T value = at(i);
             const bool counts = value != m_invalid;
             result.sum += counts ? value : 0U;
+            result.squares += counts ? std::uint64_t(value) * value : 0U;
             result.valid += counts ? 1U : 0U;
         }
         return result;

@@ -5,6 +5,7 @@
 #include "protocol/errortext.h"
 #include "protocol/procedures/writeaudit.h"
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>

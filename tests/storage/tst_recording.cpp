@@ -58,6 +58,10 @@ void fill(TelemetryStore& store, int seconds, unsigned seed)
             }
         }
         store.append(sample);
+        if (upTo(49) == 0) {
+            const std::array<std::uint16_t, 3> own{upTo(255), upTo(255), upTo(255)};
+            store.append(upTo(1) == 0 ? Source::orders() : Source::linkHealth(), own, time);
+        }
         if (upTo(999) == 0) {
             store.markGap(time);
         } else if (upTo(1999) == 0) {
@@ -174,6 +178,7 @@ private slots:
     void strangers_areRefused();
     void damagedBlock_leavesGapAndIsTold();
     void hostileRows_areLeftOut();
+    void earlierFile_opensWithoutRemark();
     void mutatedBytes_neverCrash();
     void truncated_neverCrashes();
     void writeError_keepsWhatWasWritten();
@@ -269,9 +274,9 @@ void tst_recording::samples_roundTripExactly()
     (*reader)->loadAll(back, kStart);
     compareStores(back, store);
     QCOMPARE(back.start(), std::optional(TimeAxis::instantOf(TimeAxis::ticksOf(*store.start()))));
-    for (const PollRow& poll : kPolls) {
-        const auto& columns = streamsOf(poll.id);
-        QCOMPARE((*reader)->samples(poll.id),
+    for (const SourceRow& row : kSources) {
+        const auto& columns = streamsOf(row.source);
+        QCOMPARE((*reader)->samples(row.source),
                  columns.empty() ? 0 : store.series(columns.front()).size());
     }
     QCOMPARE((*reader)->progress(), 1.0);
@@ -508,6 +513,26 @@ void tst_recording::hostileRows_areLeftOut()
         {u"DROP TABLE event"_s,
          u"CREATE VIEW event AS WITH RECURSIVE n(tick) AS (SELECT 1 UNION ALL SELECT tick+1 FROM n) SELECT 1 AS id, tick, 0 AS severity, 'k' AS kind, 't' AS text FROM n"_s});
     QVERIFY(!RecordingReader::open(path()).has_value());
+}
+
+/// Before there were orders and link health.
+void tst_recording::earlierFile_opensWithoutRemark()
+{
+    TelemetryStore store;
+    fill(store, 20, 8);
+    QVERIFY(writeStore(path(), store, 300).has_value());
+    const QString own = u" WHERE poll IN ('orders','link-health')"_s;
+    tamper(path(),
+           {u"DELETE FROM summary WHERE block IN (SELECT id FROM block"_s + own + u')',
+            u"DELETE FROM data WHERE block IN (SELECT id FROM block"_s + own + u')',
+            u"DELETE FROM block"_s + own, u"DELETE FROM stream"_s + own});
+    const auto reader = RecordingReader::open(path());
+    QVERIFY(reader.has_value());
+    TelemetryStore back;
+    (*reader)->loadAll(back, kStart);
+    QVERIFY(!(*reader)->remark().contains(u"does not know"_s));
+    QCOMPARE(back.series("motor1-current").size(), store.series("motor1-current").size());
+    QVERIFY(back.series("motor1-command").isEmpty() && back.series("link-rate").isEmpty());
 }
 
 void tst_recording::mutatedBytes_neverCrash()

@@ -70,6 +70,9 @@ public:
     {
         LinkBatch batch = engine.takeBatch(now);
         stats = batch.stats;
+        if (onBatch) {
+            onBatch(batch);
+        }
         for (const PollSample& sample : batch.samples) {
             ++sampleCounts.at(static_cast<std::size_t>(sample.poll));
             if (onSample) {
@@ -96,6 +99,7 @@ public:
     int doubleOutcomes = 0; ///< told twice how a transaction ended: never
     std::array<int, kPollCount> sampleCounts{};
     std::function<void(const PollSample&)> onSample;
+    std::function<void(const LinkBatch&)> onBatch;
     std::vector<LinkEvent> events;
     int packets = 0;
 

@@ -10,6 +10,8 @@ class DeviceSettings;
 class EventLog;
 class FileDialogs;
 class FrameTicker;
+class MarkTrack;
+class PlotReferences;
 class StatusLatch;
 class TelemetryStore;
 class UiSettings;
@@ -26,6 +28,8 @@ struct PanelContext {
     FrameTicker& ticker;
     FileDialogs& fileDialogs;
     WriteAudit* audit = nullptr; ///< the journal of writes; null: nothing is recorded
+    MarkTrack* marks = nullptr; ///< events beside the samples; null: plots show none
+    PlotReferences* references = nullptr; ///< runs to compare with; null: a panel keeps its own
 };
 
 /// Base of the panels; a row of panelregistry.cpp makes each one. GUI thread.

@@ -75,31 +75,52 @@ QString timeLabel(double seconds, double step)
     return sign + text;
 }
 
-double AxisTop::fitting(double highest) const
+AxisRange::AxisRange(double smallest, Foot foot)
+    : m_smallest(smallest), m_foot(foot), m_ends(fitting(1.0, 0.0))
 {
-    const double wanted = std::max(highest, m_smallest) * kHeadroom;
-    const double step = niceStep(wanted, kMostYSteps);
-    return std::ceil(wanted / step - 1e-9) * step;
 }
 
-bool AxisTop::fit(double highest)
+AxisRange::Ends AxisRange::fitting(double lowest, double highest) const
+{
+    const bool isEmpty = lowest > highest;
+    if (m_foot == Foot::Zero || isEmpty) {
+        const double wanted = std::max(isEmpty ? 0.0 : highest, m_smallest) * kHeadroom;
+        const double step = niceStep(wanted, kMostYSteps);
+        return {0.0, std::ceil(wanted / step - 1e-9) * step};
+    }
+    const double span = std::max(highest - lowest, m_smallest);
+    const double middle = (highest + lowest) / 2;
+    const double half = span / 2 * (2.0 * kHeadroom - 1.0); // headroom at both ends
+    const double step = niceStep(2.0 * half, kMostYSteps);
+    return {std::floor((middle - half) / step + 1e-9) * step,
+            std::ceil((middle + half) / step - 1e-9) * step};
+}
+
+bool AxisRange::fit(double lowest, double highest)
 {
     m_tooLargeSince.reset();
-    return std::exchange(m_top, fitting(highest)) != m_top;
+    const Ends wanted = fitting(lowest, highest);
+    return std::exchange(m_ends, wanted) != wanted;
 }
 
-bool AxisTop::update(double highest, Instant now)
+bool AxisRange::update(double lowest, double highest, Instant now)
 {
-    const double wanted = fitting(highest);
-    if (wanted > m_top) {
-        return fit(highest);
+    const Ends wanted = fitting(lowest, highest);
+    if (wanted.first < m_ends.first || wanted.second > m_ends.second) {
+        // The other end stays for now, unless it is far away.
+        m_tooLargeSince.reset();
+        const Ends grown{std::min(wanted.first, m_ends.first),
+                         std::max(wanted.second, m_ends.second)};
+        const bool isTooMuch =
+            wanted.second - wanted.first <= kFarTooLarge * (grown.second - grown.first);
+        return std::exchange(m_ends, isTooMuch ? wanted : grown) != m_ends;
     }
-    if (wanted > kFarTooLarge * m_top) {
+    if (wanted.second - wanted.first > kFarTooLarge * (m_ends.second - m_ends.first)) {
         m_tooLargeSince.reset();
         return false;
     }
     m_tooLargeSince = m_tooLargeSince.value_or(now);
-    return now - *m_tooLargeSince >= kPatience && fit(highest);
+    return now - *m_tooLargeSince >= kPatience && fit(lowest, highest);
 }
 
 } // namespace trex::ticks

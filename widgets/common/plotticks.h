@@ -18,20 +18,28 @@ namespace trex::ticks {
 [[nodiscard]] QString timeLabel(double seconds, double step);
 [[nodiscard]] int decimalsFor(double step);
 
-/// Upper end of an axis from 0 that gives the highest value some headroom and ends on a tick.
-/// It grows at once and shrinks only when it was far too large for a while: nothing jumps.
-class AxisTop {
+/// The ends of a value axis: on ticks, with some headroom for what is drawn. It grows at once and
+/// shrinks only when it was far too large for a while: nothing jumps.
+class AxisRange {
 public:
-    explicit AxisTop(double smallest) : m_smallest(smallest), m_top(fitting(smallest)) { }
-    /// Returns true when the top moved.
-    bool update(double highest, Instant now);
-    bool fit(double highest); ///< at once, both ways
-    [[nodiscard]] double top() const { return m_top; }
+    enum class Foot : std::uint8_t {
+        Zero, ///< begins at 0
+        Free, ///< begins and ends where the values do
+    };
+    /// `smallest`: the axis spans at least this much, from 0 where nothing else is known.
+    explicit AxisRange(double smallest, Foot foot = Foot::Zero);
+    /// `lowest` > `highest`: there are no values. Returns true when an end moved.
+    bool update(double lowest, double highest, Instant now);
+    bool fit(double lowest, double highest); ///< at once, both ways
+    [[nodiscard]] double low() const { return m_ends.first; }
+    [[nodiscard]] double high() const { return m_ends.second; }
 
 private:
-    [[nodiscard]] double fitting(double highest) const;
+    using Ends = std::pair<double, double>;
+    [[nodiscard]] Ends fitting(double lowest, double highest) const;
     double m_smallest;
-    double m_top;
+    Foot m_foot;
+    Ends m_ends;
     std::optional<Instant> m_tooLargeSince;
 };
 

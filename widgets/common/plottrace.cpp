@@ -6,7 +6,9 @@
 #include <QCoreApplication>
 #include <QPainter>
 
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace trex {
 
@@ -19,6 +21,17 @@ constexpr int kColumnAlpha = 190; ///< columns cover each other; the curve behin
 constexpr double kMostJoined = 2.5;
 constexpr double kLabelSpacing = 84.0; ///< at least, between two time labels
 constexpr double kTickLength = 4.0;
+
+using Pattern = std::array<double, 4>; ///< pixels drawn and left out, in turn
+constexpr std::array<Pattern, 4> kPatterns{Pattern{1.0, 0.0, 0.0, 0.0}, Pattern{7.0, 4.0, 7.0, 4.0},
+                                           Pattern{2.0, 3.0, 2.0, 3.0},
+                                           Pattern{9.0, 3.0, 2.0, 3.0}};
+constexpr double kLongestDashed = 20'000.0;
+
+const Pattern& patternOf(PlotFrame::Dash dash)
+{
+    return kPatterns.at(static_cast<std::size_t>(dash));
+}
 
 double secondsOf(Duration duration)
 {
@@ -48,6 +61,16 @@ double PlotFrame::physicalAt(double y) const
     return low + (area.bottom() - y) / area.height() * (high - low);
 }
 
+QString valueText(double physical, int decimals, const QString& unit)
+{
+    // A rounded nought has no sign.
+    const double step = std::pow(10.0, -decimals);
+    const double shown = std::abs(physical) < step / 2 ? 0.0 : physical;
+    QString text = QString::number(shown, 'f', decimals);
+    text.replace(u'-', QStringLiteral("−"));
+    return unit.isEmpty() ? text : text + u' ' + unit;
+}
+
 void PlotTrace::setFrame(const PlotFrame& frame)
 {
     if (frame.area != m_frame.area) {
@@ -72,9 +95,11 @@ void PlotTrace::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
     painter->setClipRect(m_frame.area.adjusted(0.0, -1.0, 0.0, 1.0));
     paintStale(*painter);
     const double pixelRatio = painter->device()->devicePixelRatioF();
-    for (const PlotFrame::Curve& curve : m_frame.curves) {
-        if (curve.isVisible && !curve.series->isEmpty()) {
-            paintCurve(*painter, curve, pixelRatio);
+    for (const auto* curves : {&m_frame.references, &m_frame.curves}) {
+        for (const PlotFrame::Curve& curve : *curves) {
+            if (curve.isVisible && !curve.series->isEmpty()) {
+                paintCurve(*painter, curve, pixelRatio);
+            }
         }
     }
     if (!m_frame.rubberBand.isEmpty()) {
@@ -101,8 +126,9 @@ void PlotTrace::paintTimeAxis(QPainter& painter) const
         const double x =
             std::round(area.left() + area.width() * (k * step - first) / (last - first));
         painter.setPen(QPen(m_frame.colours.grid, 1.0));
-        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom() + kTickLength));
-        if (k < 0.0) {
+        painter.drawLine(QPointF(x, area.top()),
+                         QPointF(x, area.bottom() + (m_frame.showsTimes ? kTickLength : 0.0)));
+        if (k < 0.0 || !m_frame.showsTimes) {
             continue; // before the session: a line, but no time
         }
         const QString label = ticks::timeLabel(k * step, step);
@@ -141,12 +167,85 @@ void PlotTrace::paintStale(QPainter& painter) const
 
 void PlotTrace::paintCurve(QPainter& painter, const PlotFrame::Curve& curve, double pixelRatio)
 {
-    const auto [begin, end] = curve.series->range(m_frame.from, m_frame.from + m_frame.span);
+    const Instant from = m_frame.from - curve.shift;
+    const auto [begin, end] = curve.series->range(from, from + m_frame.span);
     const double columns = m_frame.area.width() * pixelRatio;
+    m_lines.clear();
     if (static_cast<double>(end - begin) <= kMostJoined * columns) {
         paintSamples(painter, curve, begin, end);
     } else {
         paintColumns(painter, curve, pixelRatio);
+    }
+}
+
+double PlotTrace::xOf(const PlotFrame::Curve& curve, std::size_t sample) const
+{
+    return m_frame.xOf(curve.series->time(sample) + curve.shift);
+}
+
+double PlotTrace::yOf(const PlotFrame::Curve& curve, int stored) const
+{
+    return m_frame.yOf(curve.scale.physical(stored));
+}
+
+/// What of the line lies in the plot: not every paint engine clips (SVG's does not).
+void PlotTrace::addClipped(const QLineF& line)
+{
+    const QRectF& area = m_frame.area;
+    const QPointF p1 = line.p1();
+    const QPointF p2 = line.p2();
+    if (area.contains(p1) && area.contains(p2)) {
+        m_lines.append(line);
+        return;
+    }
+    double first = 0.0; // parts of the line, after Liang and Barsky
+    double last = 1.0;
+    const auto cut = [&](double step, double room) {
+        if (step == 0.0) {
+            return room >= 0.0;
+        }
+        const double part = room / step;
+        if (step < 0.0) {
+            first = std::max(first, part);
+        } else {
+            last = std::min(last, part);
+        }
+        return first <= last;
+    };
+    if (cut(-line.dx(), p1.x() - area.left()) && cut(line.dx(), area.right() - p1.x())
+        && cut(-line.dy(), p1.y() - area.top()) && cut(line.dy(), area.bottom() - p1.y())) {
+        m_lines.append(QLineF(line.pointAt(first), line.pointAt(last)));
+    }
+}
+
+/// Adds a line, or its dashes. Qt draws dashed lines ten times as slowly as solid ones, so that the
+/// dashes are made here.
+void PlotTrace::addLine(const QPointF& from, const QPointF& to, PlotFrame::Dash dash)
+{
+    const QLineF line(from, to);
+    const auto& pattern = patternOf(dash);
+    const double length = line.length();
+    if (dash == PlotFrame::Dash::Solid || length == 0.0) {
+        addClipped(line);
+        return;
+    }
+    const double period = std::accumulate(pattern.begin(), pattern.end(), 0.0);
+    if (length > kLongestDashed) { // a jump far outside: nobody sees its dashes
+        addClipped(line);
+        return;
+    }
+    for (double done = 0.0; done < length;) {
+        double place = std::fmod(m_dashPlace, period);
+        std::size_t part = 0;
+        while (part + 1 < pattern.size() && place >= pattern.at(part)) {
+            place -= pattern.at(part++);
+        }
+        const double step = std::min(std::max(pattern.at(part) - place, 0.01), length - done);
+        if (part % 2 == 0) {
+            addClipped(QLineF(line.pointAt(done / length), line.pointAt((done + step) / length)));
+        }
+        done += step;
+        m_dashPlace += step;
     }
 }
 
@@ -156,12 +255,12 @@ void PlotTrace::paintSamples(QPainter& painter, const PlotFrame::Curve& curve, s
     const TimeSeries& series = *curve.series;
     begin -= begin > 0 ? 1 : 0; // one more at each side, so that the line leaves through the edge
     end += end < series.size() ? 1 : 0;
-    m_lines.clear();
     QList<QPointF> lonely; ///< samples with nothing known on either side
     std::optional<QPointF> previous;
     bool isJoined = false;
+    m_dashPlace = 0.0;
     const auto endRun = [&] {
-        if (previous && !isJoined) {
+        if (previous && !isJoined && m_frame.area.contains(*previous)) {
             lonely.append(*previous);
         }
         previous.reset();
@@ -172,10 +271,9 @@ void PlotTrace::paintSamples(QPainter& painter, const PlotFrame::Curve& curve, s
             endRun();
         }
         if (series.isValid(i)) {
-            const double physical = (series.value(i) + curve.offset) * curve.scale;
-            const QPointF point(m_frame.xOf(series.time(i)), m_frame.yOf(physical));
+            const QPointF point(xOf(curve, i), yOf(curve, series.value(i)));
             if (previous) {
-                m_lines.append(QLineF(*previous, point));
+                addLine(*previous, point, curve.dash);
                 isJoined = true;
             }
             previous = point;
@@ -185,12 +283,15 @@ void PlotTrace::paintSamples(QPainter& painter, const PlotFrame::Curve& curve, s
     painter.setRenderHint(QPainter::Antialiasing, true);
     // Lines by themselves with square caps: Qt has a short way for these, a polyline takes ten
     // times as long.
-    painter.setPen(QPen(curve.colour, kTraceWidth, Qt::SolidLine, Qt::SquareCap));
+    const bool isSolid = curve.dash == PlotFrame::Dash::Solid;
+    painter.setPen(
+        QPen(curve.colour, curve.width, Qt::SolidLine, isSolid ? Qt::SquareCap : Qt::FlatCap));
     painter.drawLines(m_lines);
     painter.setPen(Qt::NoPen);
     painter.setBrush(curve.colour);
+    const double radius = kDotRadius * std::max(curve.width / kTraceWidth, 1.0);
     for (const QPointF& point : lonely) {
-        painter.drawEllipse(point, kDotRadius, kDotRadius);
+        painter.drawEllipse(point, radius, radius);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
 }
@@ -200,15 +301,17 @@ void PlotTrace::paintColumns(QPainter& painter, const PlotFrame::Curve& curve, d
     // Columns stand on multiples of their width in time, so that a sliding trace keeps its shape.
     const auto count = static_cast<int>(m_frame.area.width() * pixelRatio) + 2;
     const Duration width = std::max<Duration>(m_frame.span / (count - 2), TimeAxis::kTick);
-    const Duration sinceEpoch = m_frame.from.time_since_epoch();
+    const Duration sinceEpoch = (m_frame.from - curve.shift).time_since_epoch();
     const Instant from(sinceEpoch - sinceEpoch % width);
     const TimeSeries& series = *curve.series;
     series.columns({from, width, count}, m_columns);
 
     const double pixel = 1.0 / pixelRatio;
-    const double left = m_frame.xOf(from) + pixel / 2;
-    const double half = kTraceWidth / 2;
-    m_lines.clear();
+    const double left = m_frame.xOf(from + curve.shift) + pixel / 2;
+    const double half = curve.width / 2;
+    const auto add = [&](const QPointF& top, const QPointF& bottom) {
+        addClipped(QLineF(top, bottom));
+    };
     const PlotColumn* previous = nullptr;
     std::size_t previousIndex = 0;
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
@@ -221,26 +324,23 @@ void PlotTrace::paintColumns(QPainter& painter, const PlotFrame::Curve& curve, d
             continue;
         }
         Extent bar = column.extent;
-        if (previous != nullptr && !series.axis().hasGapBetween(previous->end - 1, column.begin)) {
-            if (previousIndex + 1 == i) { // the bars of neighbours touch
-                bar.low = std::min(bar.low, previous->extent.high);
-                bar.high = std::max(bar.high, previous->extent.low);
-            } else {
-                const auto y = [&](std::size_t sample) {
-                    return m_frame.yOf((series.value(sample) + curve.offset) * curve.scale);
-                };
-                m_lines.append(QLineF(left + double(previousIndex) * pixel, y(previous->end - 1),
-                                      left + double(i) * pixel, y(column.begin)));
-            }
+        const bool isJoined = previous != nullptr && series.isValid(previous->end - 1)
+            && series.isValid(column.begin)
+            && !series.axis().hasGapBetween(previous->end - 1, column.begin);
+        if (isJoined && previousIndex + 1 == i) { // the bars of neighbours touch
+            bar.low = std::min(bar.low, previous->extent.high);
+            bar.high = std::max(bar.high, previous->extent.low);
+        } else if (isJoined) {
+            add({left + double(previousIndex) * pixel, yOf(curve, series.value(previous->end - 1))},
+                {left + double(i) * pixel, yOf(curve, series.value(column.begin))});
         }
         const double x = left + double(i) * pixel;
-        m_lines.append(QLineF(x, m_frame.yOf((bar.high + curve.offset) * curve.scale) - half, x,
-                              m_frame.yOf((bar.low + curve.offset) * curve.scale) + half));
+        add({x, yOf(curve, bar.high) - half}, {x, yOf(curve, bar.low) + half});
         previous = &column;
         previousIndex = i;
     }
     QColor colour = curve.colour;
-    colour.setAlpha(kColumnAlpha);
+    colour.setAlpha(colour.alpha() * kColumnAlpha / 255);
     QPen pen(colour, 1.0);
     pen.setCosmetic(true);
     pen.setCapStyle(Qt::FlatCap);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/plotview.h"
 
-#include "protocol/telemetry/streamtable.h"
+#include "protocol/telemetry/marktrack.h"
 #include "widgets/common/frameticker.h"
+#include "widgets/common/plotinput.h"
+#include "widgets/common/plotoverlay.h"
 #include "widgets/common/plottrace.h"
 
 #include <QChart>
-#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QGraphicsLayout>
+#include <QHelpEvent>
 #include <QLegend>
 #include <QLineSeries>
 #include <QValueAxis>
@@ -24,7 +26,10 @@ namespace {
 constexpr auto kStaleAfter = 500ms; ///< without a sample this long, the plot says so
 constexpr auto kIdleRefresh = 200ms; ///< while nothing comes, time goes on in such steps
 constexpr double kTraceZ = 20.0; ///< above the grid of the chart
-constexpr Duration kShortestSession = 10s; ///< "whole session" shows at least this much
+constexpr double kOverlayZ = 21.0;
+constexpr int kLeftMargin = 4;
+constexpr int kRightMargin = 14;
+constexpr int kSmallestHeight = 64;
 
 double seconds(Duration duration)
 {
@@ -33,25 +38,37 @@ double seconds(Duration duration)
 
 } // namespace
 
-PlotView::PlotView(const TelemetryStore& store, FrameTicker& ticker, QWidget* parent)
+PlotView::PlotView(const TelemetryStore& store, FrameTicker& ticker, QWidget* parent,
+                   PlotTimeline* shared)
     : QChartView(new QChart, parent)
-    , m_store(store)
+    , m_timeline(shared != nullptr ? shared : new PlotTimeline(store, this))
     , m_ticker(ticker)
-    , m_clock([] { return std::chrono::steady_clock::now(); })
     , m_valueAxis(new QValueAxis(this))
     , m_timeAxis(new QValueAxis(this))
     , m_trace(new PlotTrace(chart()))
+    , m_overlay(new PlotOverlay(chart()))
     , m_frame(std::make_unique<PlotFrame>())
+    , m_input(std::make_unique<PlotInput>(*this))
+    , m_number(m_timeline->newPlot())
 {
     buildChart();
     applyColours();
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(240, 140);
-    setAccessibleDescription(
-        tr("Arrow keys pan, plus and minus zoom, with Ctrl the values; Home shows the start, End "
-           "follows the newest, F shows everything, P pauses."));
+    setMinimumSize(240, shared != nullptr ? kSmallestHeight : 140);
+    setAccessibleDescription(PlotInput::help());
     connect(&ticker, &FrameTicker::tick, this, &PlotView::refresh);
-    connect(chart(), &QChart::plotAreaChanged, this, &PlotView::redraw);
+    connect(chart(), &QChart::plotAreaChanged, this, [this] {
+        redraw();
+        emit axisExtentChanged();
+    });
+    connect(m_timeline, &PlotTimeline::pausedChanged, this, &PlotView::pausedChanged);
+    connect(m_timeline, &PlotTimeline::cursorsChanged, this, &PlotView::redraw);
+    connect(m_timeline, &PlotTimeline::viewChanged, this, [this] {
+        place();
+        fitValues(true);
+        redraw();
+        emit viewChanged();
+    });
 }
 
 PlotView::~PlotView() = default;
@@ -64,7 +81,8 @@ void PlotView::buildChart()
     chart()->setAnimationOptions(QChart::NoAnimation);
     chart()->setBackgroundRoundness(0);
     m_trace->setZValue(kTraceZ);
-    chart()->setMargins({4, 0, 12, static_cast<int>(PlotTrace::kLabelStrip) + 2});
+    m_overlay->setZValue(kOverlayZ);
+    applyMargins();
     chart()->layout()->setContentsMargins(0, 0, 0, 0);
     chart()->legend()->setAlignment(Qt::AlignTop);
     chart()->legend()->setContentsMargins(0, 0, 0, 0);
@@ -79,52 +97,6 @@ void PlotView::buildChart()
     applyValueAxis();
 }
 
-int PlotView::addCurve(std::string_view streamKey, ColourRole colour)
-{
-    const int index = streamIndex(streamKey);
-    const StreamRow& row = streams()[static_cast<std::size_t>(index)];
-    // The legend asks for a series; ours stays empty, the trace draws the samples.
-    auto* marker = new QLineSeries(chart());
-    marker->setName(QCoreApplication::translate("Streams", row.title));
-    chart()->addSeries(marker);
-    marker->attachAxis(m_timeAxis);
-    marker->attachAxis(m_valueAxis);
-    m_frame->curves.push_back({&m_store.series(index), {}, row.scale, row.offset, true});
-    m_colours.push_back(colour);
-    applyColours();
-    return static_cast<int>(m_frame->curves.size()) - 1;
-}
-
-void PlotView::setCurveScale(int curve, double scale)
-{
-    m_frame->curves.at(static_cast<std::size_t>(curve)).scale = scale;
-    redraw();
-}
-
-void PlotView::setCurveVisible(int curve, bool visible)
-{
-    m_frame->curves.at(static_cast<std::size_t>(curve)).isVisible = visible;
-    chart()->series().at(curve)->setVisible(visible);
-    redraw();
-}
-
-bool PlotView::isCurveVisible(int curve) const
-{
-    return m_frame->curves.at(static_cast<std::size_t>(curve)).isVisible;
-}
-
-void PlotView::setUnit(const QString& unit)
-{
-    m_unit = unit;
-    applyValueAxis();
-}
-
-void PlotView::setSmallestTop(double physical)
-{
-    m_top = ticks::AxisTop(physical);
-    redraw();
-}
-
 void PlotView::applyColours()
 {
     const QColor text = theme::colour(ColourRole::DimText);
@@ -137,60 +109,79 @@ void PlotView::applyColours()
     m_valueAxis->setLinePen(QPen(theme::colour(ColourRole::Border), 1.0));
     chart()->legend()->setLabelBrush(theme::colour(ColourRole::Text));
     chart()->legend()->setFont(theme::font(1.0));
-    m_frame->colours = {theme::colour(ColourRole::Grid), text, theme::colour(ColourRole::Stale),
-                        theme::colour(ColourRole::Accent)};
+    m_frame->colours = {.panel = theme::colour(ColourRole::Panel),
+                        .grid = theme::colour(ColourRole::Grid),
+                        .text = theme::colour(ColourRole::Text),
+                        .dim = text,
+                        .stale = theme::colour(ColourRole::Stale),
+                        .accent = theme::colour(ColourRole::Accent),
+                        .action = theme::colour(ColourRole::Accent),
+                        .warning = theme::colour(ColourRole::Warning),
+                        .fault = theme::colour(ColourRole::Fault)};
     m_frame->font = theme::font(1.0, true);
-    for (std::size_t i = 0; i < m_frame->curves.size(); ++i) {
+    for (std::size_t i = 0; i < m_colours.size(); ++i) {
         m_frame->curves[i].colour = theme::colour(m_colours[i]);
         const auto series = chart()->series().at(static_cast<qsizetype>(i));
         qobject_cast<QLineSeries*>(series)->setPen(QPen(theme::colour(m_colours[i]), 3.0));
     }
-    redraw();
+    setLimits(m_limits);
 }
 
 void PlotView::applyValueAxis()
 {
-    const double step = ticks::niceStep(m_frame->high - m_frame->low, 5);
-    const QString format = QStringLiteral("%.%1f%2").arg(std::max(ticks::decimalsFor(step), 1));
+    // A low plot has room for fewer labels.
+    const double height = m_frame->area.height();
+    const int most = height <= 0.0 ? 5 : std::clamp(static_cast<int>(height / 30.0), 2, 5);
+    const double step = ticks::niceStep(m_frame->high - m_frame->low, most);
+    const int decimals = std::max(ticks::decimalsFor(step), m_unit == u'A' ? 1 : 0);
+    const QString format = QStringLiteral("%.%1f%2").arg(decimals);
     m_valueAxis->setLabelFormat(format.arg(m_unit.isEmpty() ? QString() : u' ' + m_unit));
     m_valueAxis->setTickInterval(step);
     m_valueAxis->setRange(m_frame->low, m_frame->high);
 }
 
-void PlotView::setWindowSeconds(int windowSeconds)
+void PlotView::applyMargins()
 {
-    m_windowSeconds = windowSeconds;
-    if (m_paused) { // the right edge stays, so that what was paused at is still seen
-        const Instant right = m_frame->from + m_frame->span;
-        if (windowSeconds == kWholeSession) {
-            const Instant from = m_store.start().value_or(right - kShortestSession);
-            m_frame->span = std::max<Duration>(rightEdge() - from, kShortestSession);
-            m_frame->from = from;
-        } else {
-            m_frame->span = std::chrono::seconds(windowSeconds);
-            m_frame->from = right - m_frame->span;
-        }
+    const double present = axisExtent();
+    const int room = static_cast<int>(std::ceil(std::max(m_axisExtent - present, 0.0)));
+    const int below = m_frame->showsTimes ? static_cast<int>(PlotTrace::kLabelStrip) + 2 : 4;
+    const int above = chart()->legend()->isVisible() ? 0 : 4;
+    const QMargins margins(kLeftMargin + (m_axisExtent > 0.0 ? room : 0), above, kRightMargin,
+                           below);
+    if (chart()->margins() != margins) {
+        chart()->setMargins(margins);
     }
-    fitValues(true);
-    redraw();
-    emit viewChanged();
 }
 
-void PlotView::setPaused(bool paused)
+double PlotView::axisExtent() const
 {
-    if (m_paused == paused) {
-        return;
-    }
-    place();
-    m_paused = paused;
+    return std::max(chart()->plotArea().left() - chart()->margins().left(), 0.0);
+}
+
+void PlotView::setAxisExtent(double pixels)
+{
+    m_axisExtent = pixels;
+    applyMargins();
+}
+
+void PlotView::setPlaceInStack(bool isTop, bool isBottom)
+{
+    m_frame->showsTimes = isBottom;
+    m_frame->showsCursorTimes = isBottom;
+    m_frame->showsMarkSigns = isTop;
+    applyMargins();
     redraw();
-    emit pausedChanged(paused);
-    emit viewChanged();
+}
+
+void PlotView::setLegendShown(bool shown)
+{
+    chart()->legend()->setVisible(shown);
+    applyMargins();
 }
 
 void PlotView::setLive(bool live)
 {
-    m_live = live;
+    m_timeline->setLive(live);
     redraw();
 }
 
@@ -202,8 +193,24 @@ void PlotView::setMessage(const QString& message)
     }
 }
 
-std::optional<Instant> PlotView::lastSample() const
+void PlotView::setTool(Tool tool)
 {
+    m_input->setTool(tool);
+}
+
+void PlotView::place()
+{
+    m_timeline->place();
+    m_frame->origin = m_timeline->origin();
+    m_frame->from = m_timeline->from();
+    m_frame->span = m_timeline->span();
+    m_frame->marks = m_timeline->marks();
+    m_frame->shownMark = m_timeline->shownMark();
+    m_frame->cursors.clear();
+    for (int i = 0; i < PlotTimeline::kCursors; ++i) {
+        m_frame->cursors.push_back(m_timeline->cursor(i));
+    }
+    m_frame->activeCursor = m_timeline->activeCursor();
     std::optional<Instant> last;
     for (const PlotFrame::Curve& curve : m_frame->curves) {
         if (!curve.series->isEmpty()) {
@@ -211,57 +218,65 @@ std::optional<Instant> PlotView::lastSample() const
             last = std::max(last.value_or(time), time);
         }
     }
-    return last;
-}
-
-Instant PlotView::rightEdge() const
-{
-    const Instant now = m_clock();
-    return m_live ? now : lastSample().value_or(now);
-}
-
-void PlotView::place()
-{
-    m_frame->origin = m_store.start().value_or(rightEdge());
-    if (!m_paused) {
-        const Instant right = rightEdge();
-        m_frame->span = std::chrono::seconds(m_windowSeconds);
-        if (m_windowSeconds == kWholeSession) {
-            m_frame->span = std::max<Duration>(right - m_frame->origin, kShortestSession);
-        }
-        m_frame->from = right - m_frame->span;
-        if (m_windowSeconds == kWholeSession && m_frame->from < m_frame->origin) {
-            m_frame->from = m_frame->origin;
-        }
-    }
-    const auto last = lastSample();
     m_frame->staleFrom.reset();
-    if (m_live && last && m_clock() - *last > kStaleAfter) {
+    if (m_timeline->isLive() && last && m_timeline->now() - *last > kStaleAfter) {
         m_frame->staleFrom = last;
     }
 }
 
 void PlotView::fitValues(bool atOnce)
 {
-    if (m_valuesByHand) {
-        return;
-    }
-    double highest = 0.0;
-    for (const PlotFrame::Curve& curve : m_frame->curves) {
-        if (curve.isVisible) {
-            const auto [begin, end] =
-                curve.series->range(m_frame->from, m_frame->from + m_frame->span);
-            const Extent extent = curve.series->extent(begin, end);
-            if (!extent.isEmpty()) {
-                highest = std::max(highest, (extent.high + curve.offset) * curve.scale);
-            }
+    double low = 0.0;
+    double high = 0.0;
+    if (const auto byHand = m_timeline->values(m_number)) {
+        std::tie(low, high) = *byHand;
+    } else {
+        const auto [lowest, highest] = valueExtent();
+        if (atOnce) {
+            m_range.fit(lowest, highest);
+        } else {
+            m_range.update(lowest, highest, m_timeline->now());
         }
+        low = m_range.low();
+        high = m_range.high();
     }
-    const bool moved = atOnce ? m_top.fit(highest) : m_top.update(highest, m_clock());
-    if (moved || m_frame->low != 0.0 || m_frame->high != m_top.top()) {
-        m_frame->low = 0.0;
-        m_frame->high = m_top.top();
+    if (m_frame->low != low || m_frame->high != high) {
+        m_frame->low = low;
+        m_frame->high = high;
         applyValueAxis();
+    }
+}
+
+void PlotView::zoomValues(double factor, double about)
+{
+    constexpr double kSmallestSpan = 0.02;
+    constexpr double kLargestSpan = 1e6;
+    const double span = m_frame->high - m_frame->low;
+    const double wanted = std::clamp(span * factor, kSmallestSpan, kLargestSpan);
+    const double low = m_frame->low + about * (span - wanted);
+    m_timeline->setValues(m_number, {low, low + wanted});
+}
+
+void PlotView::panValues(double part)
+{
+    const double shift = (m_frame->high - m_frame->low) * part;
+    m_timeline->setValues(m_number, {m_frame->low + shift, m_frame->high + shift});
+}
+
+void PlotView::zoomInto(const QRectF& box)
+{
+    constexpr double kSmallestBox = 8.0; // pixels
+    constexpr double kSmallestSpan = 0.02;
+    const double low = m_frame->physicalAt(box.bottom());
+    const double high = std::max(m_frame->physicalAt(box.top()), low + kSmallestSpan);
+    const Instant from = m_frame->timeAt(box.left());
+    const Duration span = m_frame->timeAt(box.right()) - from;
+    if (box.width() < kSmallestBox) {
+        m_timeline->setValues(m_number, {low, high});
+    } else if (box.height() < kSmallestBox) {
+        m_timeline->stand(from, span);
+    } else {
+        m_timeline->setView(m_number, {low, high}, from, span);
     }
 }
 
@@ -270,9 +285,11 @@ void PlotView::refresh()
     if (!isVisible() || viewport()->visibleRegion().isEmpty()) {
         return;
     }
-    const bool isNew = m_store.revision() != m_drawnRevision;
-    const bool isTimeDue =
-        m_live && !m_paused && m_drawnAt && m_clock() - *m_drawnAt >= kIdleRefresh;
+    const Instant now = m_timeline->now();
+    const quint64 marks = m_timeline->marks() != nullptr ? m_timeline->marks()->revision() : 0;
+    const bool isNew = m_timeline->store().revision() != m_drawnRevision || marks != m_drawnMarks;
+    const bool isTimeDue = m_timeline->isLive() && !m_timeline->isPaused() && m_drawnAt
+        && now - *m_drawnAt >= kIdleRefresh;
     if (isNew || isTimeDue) {
         redraw();
     }
@@ -280,12 +297,15 @@ void PlotView::refresh()
 
 void PlotView::redraw()
 {
-    m_drawnRevision = m_store.revision();
-    m_drawnAt = m_clock();
+    m_drawnRevision = m_timeline->store().revision();
+    m_drawnMarks = m_timeline->marks() != nullptr ? m_timeline->marks()->revision() : 0;
+    m_drawnAt = m_timeline->now();
     m_frame->area = chart()->plotArea();
     place();
     fitValues(false);
+    fillReferences();
     m_trace->setFrame(*m_frame);
+    m_overlay->setFrame(*m_frame);
 }
 
 void PlotView::paintEvent(QPaintEvent* event)
@@ -300,6 +320,8 @@ void PlotView::paintEvent(QPaintEvent* event)
 void PlotView::resizeEvent(QResizeEvent* event)
 {
     QChartView::resizeEvent(event);
+    m_frame->area = chart()->plotArea();
+    applyValueAxis();
     redraw();
 }
 
@@ -317,46 +339,44 @@ void PlotView::changeEvent(QEvent* event)
     }
 }
 
-TimeRange PlotView::visibleRange() const
+bool PlotView::viewportEvent(QEvent* event)
 {
-    return {m_frame->from, m_frame->from + m_frame->span};
+    return (m_input && m_input->handle(event)) || QChartView::viewportEvent(event);
+}
+
+void PlotView::keyPressEvent(QKeyEvent* event)
+{
+    if (!m_input->pressKey(*event)) {
+        QChartView::keyPressEvent(event); // Escape must reach the stop action
+    }
+}
+
+void PlotView::focusInEvent(QFocusEvent* event)
+{
+    QChartView::focusInEvent(event);
+    emit focused();
 }
 
 double PlotView::fromSeconds() const
 {
-    return seconds(m_frame->from - m_frame->origin);
+    return seconds(m_timeline->from() - m_timeline->origin());
 }
 
 double PlotView::toSeconds() const
 {
-    return fromSeconds() + seconds(m_frame->span);
-}
-
-double PlotView::top() const
-{
-    return m_frame->high;
-}
-
-double PlotView::bottom() const
-{
-    return m_frame->low;
+    return fromSeconds() + seconds(m_timeline->span());
 }
 
 void PlotView::setClock(Clock clock)
 {
-    m_clock = std::move(clock);
+    m_timeline->setClock(std::move(clock));
     redraw();
 }
 
-QImage PlotView::picture(double scale)
+void PlotView::setRubberBand(const QRectF& box)
 {
+    m_frame->rubberBand = box;
     redraw();
-    QImage image(size() * scale, QImage::Format_RGB32);
-    image.setDevicePixelRatio(scale);
-    image.fill(theme::colour(ColourRole::Panel));
-    QPainter painter(&image);
-    render(&painter, QRectF(QPointF(), QSizeF(size())), viewport()->rect());
-    return image;
 }
 
 } // namespace trex

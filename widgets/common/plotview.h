@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/storage/csvexport.h"
 #include "widgets/common/plotticks.h"
+#include "widgets/common/plottimeline.h"
 #include "widgets/common/theme.h"
 
 #include <QChartView>
 
-#include <functional>
 #include <memory>
 
 class QValueAxis;
@@ -15,15 +14,16 @@ class QValueAxis;
 namespace trex {
 
 class FrameTicker;
+class PlotInput;
+class PlotOverlay;
+class PlotReferences;
 class PlotTrace;
 struct PlotFrame;
 
 /// A live plot of streams of the store over time. Qt Charts gives the chart, its value axis, legend
-/// and layout; the traces are ours (PlotTrace). Follows the newest sample, or stands still while
-/// data goes on behind (paused). Mouse: wheel zooms time about the cursor (Ctrl: values), dragging
-/// zooms into a box, middle or Shift drag pans, double click follows again. Keys: arrows pan, + and
-/// − zoom (Ctrl: values), Home start, End follow, F everything, P pause. Repaints at most once a
-/// tick, and only when there is something new and it is visible. GUI thread.
+/// and layout; the traces and what lies over them are ours (PlotTrace, PlotOverlay). What part of
+/// time is shown says its PlotTimeline, which plots can share. Mouse and keys: PlotInput. Repaints
+/// at most once a tick, and only when there is something new and it is visible. GUI thread.
 class PlotView : public QChartView {
     Q_OBJECT
     Q_PROPERTY(bool paused READ isPaused WRITE setPaused NOTIFY pausedChanged)
@@ -34,95 +34,116 @@ class PlotView : public QChartView {
     Q_PROPERTY(double bottom READ bottom)
 
 public:
-    static constexpr int kWholeSession = 0;
-    using Clock = std::function<Instant()>;
+    static constexpr int kWholeSession = PlotTimeline::kWholeSession;
+    using Clock = PlotTimeline::Clock;
 
-    PlotView(const TelemetryStore& store, FrameTicker& ticker, QWidget* parent = nullptr);
+    /// `shared`: shows the same part of time as others; null: its own.
+    PlotView(const TelemetryStore& store, FrameTicker& ticker, QWidget* parent = nullptr,
+             PlotTimeline* shared = nullptr);
     ~PlotView() override;
     Q_DISABLE_COPY_MOVE(PlotView)
-
-    /// Adds a stream of streamtable.h under its title; gives the curve's number.
+    /// Adds a stream of streamtable.h under its title; gives the curve's number, from 0 on. The
+    /// numbers of later curves go down when one is removed.
     int addCurve(std::string_view streamKey, ColourRole colour);
+    void removeCurve(int curve);
+    [[nodiscard]] int curveCount() const { return static_cast<int>(m_colours.size()); }
     void setCurveScale(int curve, double scale); ///< physical = (stored + offset) × scale
     void setCurveVisible(int curve, bool visible);
     [[nodiscard]] bool isCurveVisible(int curve) const;
+    void setCurveColour(int curve, ColourRole colour);
+    void setCurveWidth(int curve, double pixels);
     void setUnit(const QString& unit); ///< shown at the value axis
-    void setSmallestTop(double physical); ///< the value axis ends at least here
-
-    void setWindowSeconds(int seconds); ///< length of time shown; kWholeSession: all there is
-    [[nodiscard]] int windowSeconds() const { return m_windowSeconds; }
-    void setPaused(bool paused);
-    [[nodiscard]] bool isPaused() const { return m_paused; }
-    /// True: data is expected now, so that time goes on (and silence shows as such).
-    void setLive(bool live);
+    void setSmallestTop(double physical); ///< the value axis spans at least so much
+    void setFoot(ticks::AxisRange::Foot foot, double smallest); ///< zero unless told otherwise
+    struct Limit {
+        double physical = 0.0;
+        QString text;
+        ColourRole colour = ColourRole::Warning;
+    };
+    void setLimits(const std::vector<Limit>& limits); ///< dashed lines with their names
+    void setReferences(const PlotReferences* references); ///< drawn behind; null: none
+    /// The trigger's level, a line that can be dragged (none: its source is not here), and where it
+    /// was crossed last.
+    void setTrigger(std::optional<double> level, std::optional<Instant> crossing);
+    [[nodiscard]] PlotTimeline& timeline() const { return *m_timeline; }
+    void setWindowSeconds(int seconds) { m_timeline->setWindowSeconds(seconds); }
+    [[nodiscard]] int windowSeconds() const { return m_timeline->windowSeconds(); }
+    void setPaused(bool paused) { m_timeline->setPaused(paused); }
+    [[nodiscard]] bool isPaused() const { return m_timeline->isPaused(); }
+    void setLive(bool live); ///< data is expected now: time goes on, and silence shows as such
     void setMessage(const QString& message); ///< said in the plot; "" for none
-
-    void fit(); ///< everything recorded, values fitted
-    void follow(); ///< the newest, in the window's length, values fitted
-    void zoomTime(double factor, double about = 0.5); ///< below 1: closer; about: 0 left to 1 right
+    enum class Tool { Zoom, Pan }; ///< what dragging with the left button does
+    void setTool(Tool tool);
+    void fit() { m_timeline->fit(); } ///< everything recorded, values fitted
+    void follow() { m_timeline->follow(); } ///< the newest, in the window's length, values fitted
+    void zoomTime(double factor, double about = 0.5) { m_timeline->zoom(factor, about); }
     void zoomValues(double factor, double about = 0.0); ///< about: 0 bottom to 1 top
-    void pan(double timePart, double valuePart); ///< in parts of what is visible
-    void showStart();
-
-    [[nodiscard]] TimeRange visibleRange() const;
+    void panValues(double part);
+    [[nodiscard]] bool areValuesByHand() const; ///< zoomed: they do not fit themselves
+    void zoomInto(const QRectF& box); ///< scene coordinates
+    // In a stack of plots:
+    void setPlaceInStack(bool isTop, bool isBottom); ///< who shows times, who signs of marks
+    void setLegendShown(bool shown);
+    [[nodiscard]] double axisExtent() const; ///< pixels that the value axis takes
+    void setAxisExtent(double pixels); ///< takes at least so many: areas of a stack line up
+    [[nodiscard]] const PlotFrame& frame() const { return *m_frame; }
+    [[nodiscard]] const PlotOverlay& overlay() const { return *m_overlay; }
+    [[nodiscard]] TimeRange visibleRange() const { return m_timeline->range(); }
     [[nodiscard]] double fromSeconds() const; ///< left edge, seconds since the store's start
     [[nodiscard]] double toSeconds() const;
     [[nodiscard]] double top() const;
     [[nodiscard]] double bottom() const;
     [[nodiscard]] QImage picture(double scale = 2.0); ///< as shown, at a multiple of its size
     void setClock(Clock clock); ///< the steady clock unless told otherwise (tests)
+    void setRubberBand(const QRectF& box);
 
 public slots:
     void refresh(); ///< draws what is new, if there is something and it can be seen
+    void redraw(); ///< now, whether new or not
 
 signals:
     void pausedChanged(bool paused);
     void viewChanged(); ///< what is visible changed by the person's doing
+    void axisExtentChanged();
+    void levelDragged(double physical);
+    void focused(); ///< the person turned to this plot
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
 
 private:
-    enum class Drag { None, Box, Pan };
     void buildChart();
     void applyColours();
     void applyValueAxis();
+    void applyMargins();
     void place(); ///< the part of time that is due, into the frame
     void fitValues(bool atOnce);
-    void redraw(); ///< now, whether new or not
-    void stand(Instant from, Duration span); ///< pauses at a part of time
-    void zoomInto(const QRectF& box);
-    [[nodiscard]] bool panByKey(const QKeyEvent& event);
-    [[nodiscard]] Instant rightEdge() const;
-    [[nodiscard]] std::optional<Instant> lastSample() const;
-    [[nodiscard]] QPointF inScene(const QPointF& position) const;
+    void fillReferences();
+    [[nodiscard]] PlotTimeline::ValueRange valueExtent() const;
 
-    const TelemetryStore& m_store;
+    PlotTimeline* m_timeline; ///< ours as a child, or shared
     FrameTicker& m_ticker;
-    Clock m_clock;
     QValueAxis* m_valueAxis;
     QValueAxis* m_timeAxis; ///< hidden: our labels move with the trace
-    PlotTrace* m_trace; ///< owned by the scene
+    PlotTrace* m_trace; ///< owned by the scene, as the next
+    PlotOverlay* m_overlay;
     std::unique_ptr<PlotFrame> m_frame;
+    std::unique_ptr<PlotInput> m_input;
     std::vector<ColourRole> m_colours; ///< of the curves
+    std::vector<Limit> m_limits;
+    const PlotReferences* m_references = nullptr;
     QString m_unit;
-    ticks::AxisTop m_top{1.0};
-    int m_windowSeconds = 10;
-    bool m_paused = false;
-    bool m_live = false;
-    bool m_valuesByHand = false; ///< zoomed: the value axis stays as it is
-    Drag m_drag = Drag::None;
-    QPointF m_dragFrom;
+    ticks::AxisRange m_range{1.0};
+    int m_number; ///< at the timeline
+    double m_axisExtent = 0.0; ///< 0: as it comes
     quint64 m_drawnRevision = 0;
+    quint64 m_drawnMarks = 0;
     std::optional<Instant> m_drawnAt;
 };
 

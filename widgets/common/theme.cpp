@@ -42,6 +42,8 @@ constexpr std::array kRoles{
     RoleRow{ColourRole::Stale, 0xFF6E7781, 0xFF8B949E},
     RoleRow{ColourRole::Accent, 0xFF2E5E9E, 0xFF7FB0E8},
     RoleRow{ColourRole::Grid, 0xFFE4E8EC, 0xFF2F363E},
+    RoleRow{ColourRole::Curve4, 0xFF7A3EB1, 0xFFC29BF2},
+    RoleRow{ColourRole::Curve5, 0xFFA0287E, 0xFFEE8AC8},
 };
 
 constexpr bool isInOrder()
@@ -51,21 +53,14 @@ constexpr bool isInOrder()
             return false;
         }
     }
-    return kRoles.size() == static_cast<std::size_t>(ColourRole::Grid) + 1;
+    return kRoles.size() == static_cast<std::size_t>(ColourRole::Curve5) + 1;
 }
 static_assert(isInOrder());
 
 /// Channels 1 to 3 are what motors 1, 2 and aux would be told (conformance C-29), so they share
 /// their colours; 4 and 5 are switches of their own.
-struct ChannelRow {
-    QRgb light;
-    QRgb dark;
-};
-constexpr std::array kChannels{
-    ChannelRow{0xFF0063A6, 0xFF58B4F0}, ChannelRow{0xFFB84A00, 0xFFF0A03C},
-    ChannelRow{0xFF00735A, 0xFF3CCFA6}, ChannelRow{0xFF7A3EB1, 0xFFC29BF2},
-    ChannelRow{0xFFA0287E, 0xFFEE8AC8},
-};
+constexpr std::array kChannels{ColourRole::Motor1, ColourRole::Motor2, ColourRole::Aux,
+                               ColourRole::Curve4, ColourRole::Curve5};
 
 QColor roleColour(ColourRole role, bool dark)
 {
@@ -171,8 +166,12 @@ QColor colour(ColourRole role)
 
 QColor channelColour(int channel)
 {
-    const ChannelRow& row = kChannels.at(static_cast<std::size_t>(std::clamp(channel, 1, 5) - 1));
-    return QColor::fromRgb(isDark() ? row.dark : row.light);
+    return colour(channelRole(channel));
+}
+
+ColourRole channelRole(int channel)
+{
+    return kChannels.at(static_cast<std::size_t>(std::clamp(channel, 1, 5) - 1));
 }
 
 QFont font(double step, bool tabular)

@@ -26,6 +26,8 @@ enum class ColourRole {
     Stale,
     Accent, ///< selection, focus
     Grid,
+    Curve4, ///< more curves than motors: violet, as channel 4
+    Curve5, ///< pink, as channel 5
 };
 
 namespace theme {
@@ -39,6 +41,7 @@ void apply(Choice choice);
 [[nodiscard]] QColor colour(ColourRole role); ///< of the theme in force
 /// Colour of channel 1 to 5 in plots and bars.
 [[nodiscard]] QColor channelColour(int channel);
+[[nodiscard]] ColourRole channelRole(int channel);
 
 /// The desktop's font, scaled: 1 body, 1.25 panel title, 2 read-outs, 4 bench mode. Read-outs have
 /// tabular digits, so that nothing jumps.

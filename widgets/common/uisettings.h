@@ -18,6 +18,13 @@ inline const Setting<int> kScalePercent{QStringLiteral("ui/scale"), 0}; ///< 0: 
 inline const Setting<QByteArray> kGeometry{QStringLiteral("ui/geometry"), QByteArray()};
 inline const Setting<QByteArray> kLayout{QStringLiteral("ui/layout"), QByteArray()};
 inline const Setting<int> kPlotWindowSeconds{QStringLiteral("currents/window"), 10};
+inline const Setting<QString> kRecordingFolder{QStringLiteral("recording/folder"),
+                                               QString()}; ///< "": among the documents
+inline const Setting<bool> kRecordingPackets{QStringLiteral("recording/packets"), false};
+inline const Setting<bool> kFlightEnabled{QStringLiteral("flight/enabled"), true};
+inline const Setting<QString> kFlightFolder{QStringLiteral("flight/folder"),
+                                            QString()}; ///< "": in the data folder
+inline const Setting<int> kFlightMinutes{QStringLiteral("flight/minutes"), 5};
 } // namespace settings
 
 /// The panel's stored settings. GUI thread.
