@@ -18,6 +18,9 @@ inline const Setting<int> kScalePercent{QStringLiteral("ui/scale"), 0}; ///< 0: 
 inline const Setting<QByteArray> kGeometry{QStringLiteral("ui/geometry"), QByteArray()};
 inline const Setting<QByteArray> kLayout{QStringLiteral("ui/layout"), QByteArray()};
 inline const Setting<int> kPlotWindowSeconds{QStringLiteral("currents/window"), 10};
+inline const Setting<int> kPlotsWindowSeconds{QStringLiteral("plots/window"), 10};
+inline const Setting<QByteArray> kPlotsLayout{QStringLiteral("plots/layout"),
+                                              QByteArray()}; ///< JSON, plotlayout.h
 } // namespace settings
 
 /// The panel's stored settings. GUI thread.
