@@ -128,16 +128,23 @@ void CommandBar::makeRow()
     auto* stop = named(new StopButton(m_context.controller, this), u"mainWindow.stop"_s,
                        tr("Stop all motors"));
 
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 4, 8, 4);
-    row->setSpacing(8);
-    row->addWidget(connectButton);
-    row->addWidget(disconnectButton);
-    row->addSpacing(8);
-    row->addWidget(m_identity, 1);
-    row->addWidget(armButton);
-    row->addSpacing(kGapBeforeStop - 8);
-    row->addWidget(stop);
+    m_row = new QHBoxLayout(this);
+    m_row->setContentsMargins(8, 4, 8, 4);
+    m_row->setSpacing(8);
+    m_row->addWidget(connectButton);
+    m_row->addWidget(disconnectButton);
+    m_row->addSpacing(8);
+    m_row->addWidget(m_identity, 1);
+    m_row->addWidget(armButton);
+    m_row->addSpacing(kGapBeforeStop - 8);
+    m_row->addWidget(stop);
+}
+
+void CommandBar::addAction(QAction* action)
+{
+    const QString part = action->objectName().section(u'.', -1);
+    QToolButton* button = buttonFor(action, u"mainWindow."_s + part, this);
+    m_row->insertWidget(m_row->indexOf(m_identity) + 1, button);
 }
 
 QList<QAction*> CommandBar::actionsForMenu() const

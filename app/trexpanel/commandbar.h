@@ -6,6 +6,7 @@
 #include <QTimer>
 
 class QAction;
+class QHBoxLayout;
 class QLabel;
 
 namespace trex {
@@ -19,6 +20,7 @@ class CommandBar : public QWidget {
 public:
     CommandBar(PanelContext& context, QWidget* parent = nullptr);
     [[nodiscard]] QList<QAction*> actionsForMenu() const;
+    void addAction(QAction* action); ///< one more button, before Arm
     void connectToLast(); ///< the line used before; connectionWanted() when there is none
 
 signals:
@@ -36,6 +38,7 @@ private:
     QAction* m_disconnect = nullptr;
     QAction* m_arm = nullptr;
     QAction* m_stop = nullptr;
+    QHBoxLayout* m_row = nullptr;
     QLabel* m_identity = nullptr;
     QWidget* m_connectButton = nullptr;
     QWidget* m_disconnectButton = nullptr;

@@ -3,21 +3,22 @@
 
 #include "app/trexpanel/aboutdialog.h"
 #include "app/trexpanel/commandbar.h"
-#include "app/trexpanel/docktitle.h"
 #include "app/trexpanel/languages.h"
 #include "app/trexpanel/linkstatusbar.h"
 #include "app/trexpanel/menus.h"
+#include "app/trexpanel/paneldocks.h"
+#include "app/trexpanel/stopkey.h"
 #include "protocol/session/controller.h"
 #include "widgets/common/uisettings.h"
 #include "widgets/common/whyline.h"
-#include "widgets/panelregistry.h"
+#include "widgets/recording/recordinglamp.h"
+#include "widgets/recording/recordingmenu.h"
+#include "widgets/recording/recordings.h"
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
-#include <QKeyEvent>
 #include <QMenuBar>
-#include <QScreen>
+#include <QMimeData>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -28,39 +29,33 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr QSize kUsualSize{1440, 900};
-constexpr int kSideWidth = 320;
-constexpr int kLayoutVersion = 1; ///< a stored layout of another version is not restored
-
-QString idOf(const PanelRow& row)
+QStringList filesOf(const QMimeData& data)
 {
-    return QString::fromUtf8(row.id.data(), static_cast<qsizetype>(row.id.size()));
+    QStringList paths;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            paths << url.toLocalFile();
+        }
+    }
+    return paths;
 }
 
 } // namespace
 
-MainWindow::MainWindow(PanelContext& context, const QString& theme, const QString& language)
+MainWindow::MainWindow(PanelContext& context, Recordings& recordings, const QString& theme,
+                       const QString& language)
     : m_context(context)
 {
     setObjectName(u"mainWindow"_s);
     setWindowTitle(tr("TReX Panel"));
-    setDockOptions(AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
-    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    // Without a centre, Qt shares a window's width between the columns; with one, even this flat,
-    // the middle column takes what there is to spare.
-    auto* centre = new QWidget(this);
-    centre->setMaximumHeight(0);
-    setCentralWidget(centre);
     makeTop();
-    makeDocks();
-    makeMenus(theme, language);
+    m_docks = new PanelDocks(*this, context, [](const PanelRow&) { return true; });
     setStatusBar(new LinkStatusBar(context, this));
-    restoreLayout();
-    qApp->installEventFilter(this); // Esc, from anywhere
+    makeRecordings(recordings);
+    makeMenus(theme, language);
+    m_docks->restore(context.settings.value(settings::kGeometry),
+                     context.settings.value(settings::kLayout));
+    new StopKey(context.controller, this); // Esc, from anywhere
 }
 
 void MainWindow::makeTop()
@@ -70,10 +65,11 @@ void MainWindow::makeTop()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     m_commandBar = new CommandBar(m_context, top);
-    auto* why = named(new WhyLine(m_context.controller, m_context.log, top), u"why"_s);
+    auto* why = named(new WhyLine(m_context, top), u"why"_s);
     layout->addWidget(m_commandBar);
     layout->addWidget(why);
     connect(why, &WhyLine::connectRequested, m_commandBar, &CommandBar::connectToLast);
+    connect(why, &WhyLine::panelRequested, this, &MainWindow::bringForward);
     connect(m_commandBar, &CommandBar::connectionWanted, this,
             [this] { bringForward(idOf(panels().front())); });
 
@@ -87,25 +83,14 @@ void MainWindow::makeTop()
     addToolBar(bar);
 }
 
-void MainWindow::makeDocks()
+void MainWindow::makeRecordings(Recordings& recordings)
 {
-    for (const PanelRow& row : panels()) {
-        auto* dock = new QDockWidget(QCoreApplication::translate("Panels", row.title), this);
-        dock->setObjectName(u"dock."_s + idOf(row));
-        Panel* panel = named(row.make(m_context, dock), idOf(row), dock->windowTitle());
-        panel->setAutoFillBackground(true);
-        panel->setBackgroundRole(QPalette::Base);
-        dock->setWidget(panel);
-        connect(panel, &Panel::panelRequested, this, &MainWindow::bringForward);
-        auto* title = new DockTitle(*dock);
-        dock->setTitleBarWidget(title);
-        dock->toggleViewAction()->setObjectName(u"action.view."_s + idOf(row));
-        m_docks << dock;
-        m_titles.insert(dock, title);
-        connect(dock, &QDockWidget::visibilityChanged, this, &MainWindow::refreshTitles);
-        connect(dock, &QDockWidget::topLevelChanged, this, &MainWindow::refreshTitles);
-        connect(dock, &QDockWidget::dockLocationChanged, this, &MainWindow::refreshTitles);
-    }
+    m_recording = new RecordingActions(m_context, recordings, this);
+    connect(m_recording, &RecordingActions::openRequested, this, &MainWindow::recordingChosen);
+    connect(m_recording, &RecordingActions::compareRequested, this, &MainWindow::comparisonChosen);
+    m_commandBar->addAction(m_recording->record());
+    statusBar()->addPermanentWidget(new RecordingLamp(recordings, m_context.ticker, this));
+    setAcceptDrops(true);
 }
 
 void MainWindow::makeMenus(const QString& theme, const QString& language)
@@ -113,17 +98,17 @@ void MainWindow::makeMenus(const QString& theme, const QString& language)
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->addActions(m_commandBar->actionsForMenu());
     file->addSeparator();
+    m_recording->addTo(*file);
+    file->addSeparator();
     addJournal(*file, m_context, *this);
     auto* quit = addEntry(*file, u"quit"_s, tr("&Quit"), u"quit"_s, [this] { close(); });
     quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    for (const QDockWidget* dock : std::as_const(m_docks)) {
-        view->addAction(dock->toggleViewAction());
-    }
+    m_docks->addToMenu(*view);
     view->addSeparator();
     addEntry(*view, u"resetLayout"_s, tr("Put all panels back"), u"window"_s,
-             [this] { applyDefaultLayout(); });
+             [this] { m_docks->applyDefaultLayout(); });
 
     addChoices(
         *menuBar()->addMenu(tr("&Theme")), u"action.theme."_s,
@@ -138,81 +123,15 @@ void MainWindow::makeMenus(const QString& theme, const QString& language)
              [this] { (new AboutDialog(m_context.controller, this))->show(); });
 }
 
-void MainWindow::applyDefaultLayout()
-{
-    QHash<int, QDockWidget*> firstAt; // by area and order: the dock that the others are tabbed with
-    for (std::size_t i = 0; i < panels().size(); ++i) {
-        const PanelRow& row = panels()[i];
-        QDockWidget* dock = m_docks.at(static_cast<qsizetype>(i));
-        dock->setFloating(false);
-        dock->show();
-        const int place = static_cast<int>(row.area) * 100 + row.order;
-        if (QDockWidget* first = firstAt.value(place)) {
-            tabifyDockWidget(first, dock);
-        } else {
-            addDockWidget(row.area, dock, Qt::Vertical);
-            firstAt.insert(place, dock);
-        }
-    }
-    for (QDockWidget* first : std::as_const(firstAt)) {
-        first->raise();
-    }
-    // Later: before the window is laid out nothing has a size to change.
-    QMetaObject::invokeMethod(this, &MainWindow::fitColumns, Qt::QueuedConnection);
-    refreshTitles();
-}
-
-/// The side columns as wide as they need; the middle takes the rest.
-void MainWindow::fitColumns()
-{
-    for (QDockWidget* dock : std::as_const(m_docks)) {
-        const Qt::DockWidgetArea area = dockWidgetArea(dock);
-        if (area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea) {
-            resizeDocks({dock}, {kSideWidth}, Qt::Horizontal);
-        }
-    }
-}
-
-void MainWindow::restoreLayout()
-{
-    // The offscreen platform's screen is none that a window would have to fit.
-    const bool hasScreen = QGuiApplication::platformName() != "offscreen"_L1;
-    resize(hasScreen ? kUsualSize.boundedTo(QApplication::primaryScreen()->availableSize())
-                     : kUsualSize);
-    applyDefaultLayout();
-    restoreGeometry(m_context.settings.value(settings::kGeometry));
-    const QByteArray stored = m_context.settings.value(settings::kLayout);
-    if (!stored.isEmpty()) { // queued behind fitColumns()
-        QMetaObject::invokeMethod(
-            this, [this, stored] { restoreState(stored, kLayoutVersion); }, Qt::QueuedConnection);
-    }
-}
-
 void MainWindow::saveLayout()
 {
     m_context.settings.set(settings::kGeometry, saveGeometry());
-    m_context.settings.set(settings::kLayout, saveState(kLayoutVersion));
+    m_context.settings.set(settings::kLayout, m_docks->layout());
 }
 
 void MainWindow::bringForward(const QString& panelId)
 {
-    if (auto* dock = findChild<QDockWidget*>(u"dock."_s + panelId)) {
-        dock->show();
-        dock->raise();
-    }
-}
-
-void MainWindow::refreshTitles()
-{
-    // Later: the tabs are not yet as they will be when a dock tells of its move.
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            for (DockTitle* title : std::as_const(m_titles)) {
-                title->refresh();
-            }
-        },
-        Qt::QueuedConnection);
+    m_docks->bringForward(panelId);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -231,15 +150,19 @@ bool MainWindow::event(QEvent* event)
     return handled;
 }
 
-bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (event->type() == QEvent::KeyPress && watched->isWindowType()) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
-            m_context.controller.stop(); // and the key goes on: a dialog closes by it too
-        }
+    if (!filesOf(*event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
     }
-    return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    for (const QString& path : filesOf(*event->mimeData())) {
+        emit recordingChosen(path);
+    }
+    event->acceptProposedAction();
 }
 
 QMenu* MainWindow::createPopupMenu()

@@ -3,15 +3,14 @@
 
 #include "widgets/common/panel.h"
 
-#include <QHash>
 #include <QMainWindow>
-
-class QDockWidget;
 
 namespace trex {
 
 class CommandBar;
-class DockTitle;
+class PanelDocks;
+class RecordingActions;
+class Recordings;
 
 /// The window: the row with STOP, the why-line, one dock for each row of the panel registry, menus
 /// and the status bar. Knows no panel by name. GUI thread.
@@ -21,7 +20,8 @@ class MainWindow : public QMainWindow {
 
 public:
     /// `theme` and `language` are the keys in force, ticked in their menus.
-    MainWindow(PanelContext& context, const QString& theme, const QString& language);
+    MainWindow(PanelContext& context, Recordings& recordings, const QString& theme,
+               const QString& language);
     void saveLayout();
     void bringForward(const QString& panelId);
 
@@ -30,26 +30,25 @@ signals:
     void themeChosen(const QString& key);
     void languageChosen(const QString& code);
     void firstFramePainted();
+    void recordingChosen(const QString& path); ///< to be opened
+    void comparisonChosen(const QString& path); ///< a recording to be drawn behind the curves
 
 protected:
     void closeEvent(QCloseEvent* event) override;
     bool event(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
     QMenu* createPopupMenu() override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     void makeTop();
-    void makeDocks();
     void makeMenus(const QString& theme, const QString& language);
-    void applyDefaultLayout();
-    void fitColumns();
-    void restoreLayout();
-    void refreshTitles();
+    void makeRecordings(Recordings& recordings);
 
     PanelContext& m_context;
     CommandBar* m_commandBar = nullptr;
-    QList<QDockWidget*> m_docks; ///< in the order of the registry
-    QHash<QDockWidget*, DockTitle*> m_titles;
+    PanelDocks* m_docks = nullptr;
+    RecordingActions* m_recording = nullptr;
     bool m_wasPainted = false;
 };
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/session/motionshaper.h"
+#include "protocol/session/motorgate.h"
 #include "protocol/session/openoptions.h"
 #include "protocol/session/transaction.h"
+#include "protocol/session/waitinglist.h"
 
-#include <QHash>
-#include <QObject>
-#include <QPointer>
 #include <QTimer>
 
-#include <functional>
 #include <memory>
 
 namespace trex {
@@ -27,43 +26,40 @@ class Controller : public QObject {
     Q_DISABLE_COPY_MOVE(Controller)
 
 public:
-    using ReplyHandler = std::function<void(Result<Reply>)>;
-
+    using ReplyHandler = WaitingList::Handler;
     /// `store` and `latch` may be null; they are filled before batchArrived(). With a latch, mode,
     /// control, learned channels and both latched bytes are polled all the time.
     Controller(TelemetryStore* store, StatusLatch* latch, QObject* parent = nullptr);
     ~Controller() override;
-
     void open(const OpenOptions& options);
     /// Stops the motors (stopOnClose), then closes; closed() follows within a bounded time.
     void close();
     void closeQuietly(); ///< close(), but a line that does not answer is told nothing
-
     [[nodiscard]] LinkState state() const { return m_state; }
     [[nodiscard]] std::optional<Error> lastError() const { return m_lastError; }
     [[nodiscard]] const OpenOptions& options() const { return m_options; }
     [[nodiscard]] const LinkStats& stats() const { return m_stats; }
     [[nodiscard]] const DeviceInfo& device() const { return m_device; }
     [[nodiscard]] Model model() const; ///< TReX Jr until a signature says otherwise
-
     /// Asks. The handler runs on the main thread, once, unless `context` dies before. Motor
     /// commands are refused here (BadCommand): they go through the gate below.
     void request(const Command& command, QObject* context, ReplyHandler handler);
     /// Bytes as given; waits for `replyBytes` (CRC byte not counted). Refused with Disarmed when
     /// the bytes hold a motor command and the gate is closed.
     void requestRaw(const QByteArray& bytes, int replyBytes, QObject* context, ReplyHandler then);
-
     /// What a panel wants polled, in Hz (0: nothing). Panels' wishes add up to the highest.
     void want(const QObject* who, PollId poll, double hertz);
     void wantNothing(const QObject* who);
-
-    // The motor gate.
-    [[nodiscard]] bool isArmed() const { return m_armed; }
+    // The motor gate: nothing passes it but by driveMotor(), driveBoth(), requestRaw() and stop().
+    [[nodiscard]] bool isArmed() const { return m_gate.isArmed(); }
+    [[nodiscard]] const MotorGate& gate() const { return m_gate; } ///< why it is closed
     /// Errors: NotConnected, LockedOut (just after a stop).
     [[nodiscard]] Result<void> arm();
     void disarm(); ///< stops, then closes the gate
-    /// Errors: Disarmed, OutOfRange, NotConnected, LockedOut. The handler, if any, is told when the
-    /// packet has left (payload empty).
+    /// The same when armed, for this reason, which is kept, told and logged.
+    void disarm(DisarmReason reason, const QString& detail = {});
+    /// Within the motion limits. Errors: Disarmed, OutOfRange, NotConnected, LockedOut. The
+    /// handler, if any, is told when the packet has left (payload empty).
     Result<void> driveMotor(MotorId motor, const MotorOrder& order, QObject* context = {},
                             ReplyHandler handler = {});
     Result<void> driveBoth(const MotorOrder& motor1, const MotorOrder& motor2,
@@ -72,12 +68,19 @@ public:
     /// Always allowed. Throws queued motor orders away, sends neutral (or full brake) to all three
     /// before anything else, disarms, and refuses motor orders for kStopLockout.
     void stop(StopKind kind = StopKind::Coast, QObject* context = {}, ReplyHandler handler = {});
-    static constexpr std::chrono::milliseconds kStopLockout{500};
-    /// What was last sent to the motors (signed speeds, aux 0 to 127), for display beside sliders.
-    [[nodiscard]] MotorOrder lastOrder(MotorId motor) const;
+    static constexpr std::chrono::milliseconds kStopLockout = MotorGate::kLockout;
+    /// What was last ordered, within the limits, and what was last sent on the way to it.
+    [[nodiscard]] MotorOrder lastOrder(MotorId motor) const { return m_gate.order(motor); }
+    [[nodiscard]] MotorOrder sentOrder(MotorId motor) const { return m_shaper.sent(motor); }
+    void setDisarmRules(const DisarmRules& rules) { m_gate.setRules(rules); }
+    void setMotionLimits(const MotionLimits& limits);
+    [[nodiscard]] const MotionShaper& shaper() const { return m_shaper; } ///< limits and ramps
+    /// Nothing but stop is sent for so long; its timeout does not disarm. For the watchdog proof.
+    void beSilentFor(std::chrono::milliseconds duration);
+    void endSilence(); ///< the timeout disarms again
+    [[nodiscard]] bool isSilent() const { return m_expectsTimeout; }
     /// Longest from a stop request to its last byte on the line, this connection.
-    [[nodiscard]] double stopLatencyMsMax() const { return m_stopLatencyMsMax; }
-
+    [[nodiscard]] double stopLatencyMsMax() const { return m_gate.stopLatencyMsMax(); }
     void powerCycleSimulator(); ///< of `sim:`; nothing on any other port
     /// It has been off, as the evidence (a clause for the log) says: disarms, then restarted().
     void noteRestart(const QString& evidence);
@@ -86,10 +89,11 @@ signals:
     void stateChanged(trex::LinkState state);
     void closed();
     void deviceChanged(); ///< signature, mode, control or learned channels
-    void armedChanged(bool armed);
+    void armedChanged(bool armed); ///< why: gate().lastDisarming()
     void lockedOut(); ///< a stop was asked: motor orders are refused for kStopLockout
-    void stopped(); ///< stop packets have been handed to the line
-    void ordersChanged(); ///< lastOrder() of some motor
+    void stopped(); ///< the records say that all stop packets have been handed to the line
+    void stopFailed(const QString& why); ///< they do not: what the motors do is not known
+    void ordersChanged(); ///< lastOrder() or sentOrder() of some motor
     void batchArrived(); ///< store and latch hold new values; at most 60 times a second
     void recordsArrived(const std::vector<trex::TransactionRecord>& records);
     /// A plain sentence for the log. `severity`: 0 information, 1 warning, 2 error.
@@ -104,23 +108,20 @@ private:
     void onSample(const PollSample& sample);
     void learnFrom(const Reply& reply);
     void setState(LinkState state, const std::optional<Error>& error);
-    [[nodiscard]] QString stateSentence(LinkState state, const std::optional<Error>& error) const;
     [[nodiscard]] std::vector<Transaction> stopPackets(StopKind kind);
     [[nodiscard]] std::vector<Transaction> closingPackets();
     void followMode(Mode mode);
-    Result<void> order(const Result<Command>& command, QObject* context, ReplyHandler handler);
-    void setArmed(bool armed);
-    [[nodiscard]] Result<void> gate() const;
-    quint64 enlist(QObject* context, ReplyHandler handler);
-    void answer(quint64 id, const Result<Reply>& reply);
-    void failPending(const Error& error);
+    void drive(const ShapedOrders& orders, QObject* context, ReplyHandler then);
+    void closeGate(DisarmReason reason, const QString& detail = {});
+    void stopFor(const Disarming& why, StopKind kind, QObject* context, ReplyHandler handler);
+    void stopEnded(const Result<Reply>& lastPacket);
+    void guard(const PollSample& sample); ///< faults and stalls close the gate
+    void rampDownFor(MotorId motor, double amperes);
+    void watchMotion();
+    [[nodiscard]] Result<void> mayDrive() const;
+    void refuse(quint64 id, const Error& error); ///< from the event loop
     void sendWishes();
 
-    struct Waiting {
-        QPointer<QObject> context;
-        bool hasContext = false;
-        ReplyHandler handler;
-    };
     TelemetryStore* m_store;
     StatusLatch* m_latch;
     std::unique_ptr<LinkSampler> m_sampler; ///< none without a store
@@ -130,21 +131,20 @@ private:
     std::optional<Error> m_lastError;
     LinkStats m_stats;
     DeviceInfo m_device;
-    QHash<quint64, Waiting> m_waiting;
+    WaitingList m_waiting;
     QHash<const QObject*, std::array<double, kPollCount>> m_wishes;
-    quint64 m_nextId = 1;
     quint32 m_generation = 0;
-    bool m_armed = false;
     bool m_wasConnected = false;
     bool m_wasSilent = false; ///< the last loss was the controller's silence, not the port's end
     bool m_isClosing = false;
+    bool m_expectsTimeout = false; ///< of a silence on purpose
     std::optional<Mode> m_lastMode; ///< of this connection, kept over losses
     std::optional<OpenOptions> m_openNext; ///< asked for while closing
-    quint64 m_stopId = 0; ///< last packet of the latest stop
-    Instant m_stopAsked;
-    std::array<MotorOrder, 3> m_orders{};
-    std::optional<Instant> m_lockedUntil;
-    double m_stopLatencyMsMax = 0.0;
+    MotorGate m_gate;
+    MotionShaper m_shaper;
+    QTimer m_motion; ///< runs while a ramp does
+    QTimer m_alive; ///< tells the link thread that this one still works; looks for idleness
+    QTimer m_stopPatience;
 };
 
 } // namespace trex

@@ -11,6 +11,35 @@
 
 namespace trex {
 
+namespace {
+
+QString stateSentence(LinkState state, const std::optional<Error>& error,
+                      const OpenOptions& options, const DeviceInfo& device)
+{
+    switch (state) {
+    case LinkState::Disconnected:
+        return error ? Controller::tr("Not connected: %1").arg(errorText(*error))
+                     : Controller::tr("Disconnected.");
+    case LinkState::Connecting:
+        return Controller::tr("Connecting to %1 at %2 baud.")
+            .arg(options.port)
+            .arg(options.line.baud);
+    case LinkState::Connected:
+        return device.signature
+            ? Controller::tr("Connected to a %1, firmware %2.")
+                  .arg(device.signature->modelName(), device.signature->firmware())
+            : Controller::tr("Connected.");
+    case LinkState::Lost:
+        return error ? Controller::tr("Link lost: %1").arg(errorText(*error))
+                     : Controller::tr("Link lost.");
+    case LinkState::Retrying:
+        return error ? Controller::tr("Trying again: %1").arg(errorText(*error)) : QString();
+    }
+    return {};
+}
+
+} // namespace
+
 void Controller::onBatch(const LinkBatch& batch)
 {
     if (batch.generation != m_generation) {
@@ -68,21 +97,11 @@ void Controller::onOutcome(const Outcome& outcome)
     if (outcome.reply) {
         learnFrom(*outcome.reply);
     }
-    if (outcome.id == m_stopId && m_stopId != 0) {
-        if (outcome.reply) {
-            const double ms =
-                std::chrono::duration<double, std::milli>(outcome.reply->sent - m_stopAsked)
-                    .count();
-            m_stopLatencyMsMax = std::max(m_stopLatencyMsMax, ms);
-            emit eventLogged(0, tr("Stop sent to all three motors (%1 ms).").arg(ms, 0, 'f', 1));
-            emit stopped();
-        } else {
-            emit eventLogged(
-                2, tr("Stop could not be sent: %1").arg(errorText(outcome.reply.error())));
-        }
-        m_stopId = 0;
+    const auto step = m_gate.stopRecorded(outcome.id, outcome.reply.has_value());
+    if (step == MotorGate::StopStep::Sent || step == MotorGate::StopStep::Failed) {
+        stopEnded(outcome.reply);
     }
-    answer(outcome.id, outcome.reply);
+    m_waiting.answer(outcome.id, outcome.reply);
 }
 
 /// A reply that somebody asked for says as much as a polled one; latched bits above all, since
@@ -115,6 +134,7 @@ void Controller::onSample(const PollSample& sample)
     if (m_store != nullptr) {
         m_store->append(sample);
     }
+    guard(sample);
     const auto byte = static_cast<std::uint8_t>(sample.raw.front());
     const DeviceInfo before = m_device;
     switch (sample.poll) {
@@ -176,8 +196,7 @@ void Controller::setState(LinkState state, const std::optional<Error>& error)
     const LinkState before = std::exchange(m_state, state);
     m_lastError = error;
     if (state != LinkState::Connected) {
-        setArmed(false);
-        m_orders = {};
+        closeGate(DisarmReason::LinkLost, error ? errorText(*error) : QString());
         if (before == LinkState::Connected) {
             m_device = {};
             if (m_store != nullptr) {
@@ -191,7 +210,7 @@ void Controller::setState(LinkState state, const std::optional<Error>& error)
             emit ordersChanged();
         }
     }
-    const QString sentence = stateSentence(state, error);
+    const QString sentence = stateSentence(state, error, m_options, m_device);
     if (!sentence.isEmpty()) {
         emit eventLogged(error ? 2 : 0, sentence);
     }
@@ -207,26 +226,6 @@ void Controller::setState(LinkState state, const std::optional<Error>& error)
             emit reconnected();
         }
     }
-}
-
-QString Controller::stateSentence(LinkState state, const std::optional<Error>& error) const
-{
-    switch (state) {
-    case LinkState::Disconnected:
-        return error ? tr("Not connected: %1").arg(errorText(*error)) : tr("Disconnected.");
-    case LinkState::Connecting:
-        return tr("Connecting to %1 at %2 baud.").arg(m_options.port).arg(m_options.line.baud);
-    case LinkState::Connected:
-        return m_device.signature
-            ? tr("Connected to a %1, firmware %2.")
-                  .arg(m_device.signature->modelName(), m_device.signature->firmware())
-            : tr("Connected.");
-    case LinkState::Lost:
-        return error ? tr("Link lost: %1").arg(errorText(*error)) : tr("Link lost.");
-    case LinkState::Retrying:
-        return error ? tr("Trying again: %1").arg(errorText(*error)) : QString();
-    }
-    return {};
 }
 
 } // namespace trex

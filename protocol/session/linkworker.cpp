@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/session/linkworker.h"
 
+#include "protocol/codec/packet.h"
 #include "protocol/session/openoptions.h"
+#include "protocol/transport/laststop.h"
 #include "protocol/transport/transportregistry.h"
 
 namespace trex {
@@ -20,7 +22,7 @@ constexpr auto kLongestBlock = 20ms;
 
 } // namespace
 
-LinkWorker::LinkWorker() : m_wake(this), m_reopen(this), m_publish(this)
+LinkWorker::LinkWorker() : m_wake(this), m_reopen(this), m_publish(this), m_freeze(this)
 {
     for (QTimer* timer : {&m_wake, &m_reopen, &m_publish}) {
         timer->setSingleShot(true);
@@ -29,9 +31,14 @@ LinkWorker::LinkWorker() : m_wake(this), m_reopen(this), m_publish(this)
     connect(&m_wake, &QTimer::timeout, this, &LinkWorker::pump);
     connect(&m_reopen, &QTimer::timeout, this, &LinkWorker::openTransport);
     connect(&m_publish, &QTimer::timeout, this, [this] { publish(true); });
+    m_freeze.setInterval(kHeartbeat);
+    connect(&m_freeze, &QTimer::timeout, this, &LinkWorker::lookForFreeze);
 }
 
-LinkWorker::~LinkWorker() = default;
+LinkWorker::~LinkWorker()
+{
+    laststop::withdraw(this);
+}
 
 Instant LinkWorker::clockNow() const
 {
@@ -44,6 +51,8 @@ void LinkWorker::open(const OpenOptions& options, quint32 generation)
     closeTransport();
     m_generation = generation;
     m_line = options.line;
+    m_stopOnClose = options.stopOnClose;
+    setArmed(false);
     // A simulated controller keeps its power while the line is closed.
     const bool isNew = !m_transport || m_address != options.port;
     auto made = isNew ? makeTransport(options.port) : Result<std::unique_ptr<Transport>>{};
@@ -86,6 +95,7 @@ void LinkWorker::openTransport()
 void LinkWorker::closeTransport()
 {
     if (std::exchange(m_isOpen, false)) {
+        withdrawLastStop();
         m_transport->close();
     }
 }
@@ -93,6 +103,7 @@ void LinkWorker::closeTransport()
 void LinkWorker::onFailed(const Error& error)
 {
     m_isOpen = false;
+    withdrawLastStop();
     if (!m_engine) {
         return;
     }
@@ -111,7 +122,9 @@ void LinkWorker::onFailed(const Error& error)
 
 void LinkWorker::submit(const Transaction& transaction)
 {
-    if (m_engine) {
+    if (m_engine && transaction.priority == Priority::Motor && !m_isArmed) {
+        refuse(transaction); // it was under way when the gate closed on this side
+    } else if (m_engine) {
         m_engine->submit(transaction);
         schedulePump();
     }
@@ -119,6 +132,7 @@ void LinkWorker::submit(const Transaction& transaction)
 
 void LinkWorker::stop(const std::vector<Transaction>& packets)
 {
+    m_silentUntil = {};
     if (m_engine) {
         m_engine->stop(packets, clockNow());
         pump();
@@ -144,6 +158,8 @@ void LinkWorker::powerCycle()
 void LinkWorker::close(const std::vector<Transaction>& packets)
 {
     m_reopen.stop();
+    m_silentUntil = {};
+    setArmed(false);
     if (m_engine) {
         m_engine->shutDown();
         m_engine->stop(packets, clockNow());
@@ -155,6 +171,7 @@ void LinkWorker::close(const std::vector<Transaction>& packets)
             m_transport->waitForBytes(m_engine->lineFreeAt() - now);
         }
         m_isOpen = false;
+        withdrawLastStop();
         publish(true);
         m_engine.reset();
     }
@@ -198,6 +215,15 @@ void LinkWorker::pump()
 
 bool LinkWorker::step()
 {
+    const Duration silence = m_silentUntil - clockNow();
+    if (silence > Duration::zero() && !m_engine->isStopQueued() && !m_engine->isReplyDue()) {
+        if (m_transport->isRealTime()) {
+            m_wake.start(std::chrono::ceil<std::chrono::milliseconds>(silence));
+            return false;
+        }
+        m_transport->waitForBytes(silence);
+        return true;
+    }
     const LinkEngine::Action action = m_engine->next(clockNow());
     switch (action.kind) {
     case LinkEngine::Action::Kind::Idle:
@@ -250,6 +276,7 @@ void LinkWorker::publish(bool always)
     if (!m_engine) {
         return;
     }
+    followState();
     const Instant now = clockNow();
     if (!always && !m_engine->hasNews() && now - m_lastPublished < kBatchInterval) {
         if (!m_publish.isActive()) {
@@ -262,6 +289,68 @@ void LinkWorker::publish(bool always)
     LinkBatch batch = m_engine->takeBatch(now);
     batch.generation = m_generation;
     emit batchReady(batch);
+}
+
+void LinkWorker::setArmed(bool armed)
+{
+    m_isArmed = armed && m_engine && m_engine->state() == LinkState::Connected;
+    if (m_isArmed) {
+        heartbeat();
+        m_freeze.start();
+    } else {
+        m_freeze.stop();
+    }
+}
+
+void LinkWorker::lookForFreeze()
+{
+    if (std::chrono::steady_clock::now() - m_lastHeartbeat < kLongestFreeze) {
+        return;
+    }
+    setArmed(false);
+    std::vector<Transaction> packets;
+    for (const Command& command : stopCommands(false)) {
+        packets.push_back({.command = command, .priority = Priority::Stop});
+    }
+    stop(packets);
+    emit frozen(m_generation);
+}
+
+void LinkWorker::refuse(const Transaction& transaction)
+{
+    LinkBatch batch = m_engine->takeBatch(clockNow());
+    batch.generation = m_generation;
+    batch.outcomes.push_back({transaction.id, fail(ErrorCode::Disarmed)});
+    emit batchReady(batch);
+}
+
+void LinkWorker::beSilentFor(std::chrono::milliseconds duration)
+{
+    m_silentUntil = duration.count() > 0 ? clockNow() + duration : Instant{};
+    schedulePump();
+}
+
+/// What follows on this thread from the engine's state, without the round through the façade.
+void LinkWorker::followState()
+{
+    const bool isConnected = m_engine->state() == LinkState::Connected;
+    if (!isConnected && m_isArmed) {
+        setArmed(false);
+    }
+    if (isConnected && m_isOpen && m_stopOnClose && !m_hasLastStop) {
+        QByteArray bytes;
+        for (const Command& command : stopCommands(false)) {
+            bytes += encode(command, m_line);
+        }
+        laststop::prepare(this, m_transport->descriptor(), bytes);
+        m_hasLastStop = true;
+    }
+}
+
+void LinkWorker::withdrawLastStop()
+{
+    laststop::withdraw(this);
+    m_hasLastStop = false;
 }
 
 } // namespace trex

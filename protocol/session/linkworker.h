@@ -30,8 +30,17 @@ public:
     /// Sends `packets`, waits until they have left (bounded), closes the port.
     void close(const std::vector<Transaction>& packets);
     void powerCycle(); ///< the simulator only
+    /// The façade's gate is open. While it is, a main thread that does not send heartbeats for
+    /// kLongestFreeze is taken for frozen: the motors are stopped and frozen() is told.
+    void setArmed(bool armed);
+    void heartbeat() { m_lastHeartbeat = std::chrono::steady_clock::now(); }
+    /// Sends nothing but stop packets for so long; zero ends it.
+    void beSilentFor(std::chrono::milliseconds duration);
+    static constexpr std::chrono::milliseconds kHeartbeat{200};
+    static constexpr std::chrono::milliseconds kLongestFreeze{2000};
 
 signals:
+    void frozen(quint32 generation);
     void batchReady(const trex::LinkBatch& batch);
     void closed(quint32 generation);
 
@@ -45,6 +54,10 @@ private:
     void onFailed(const Error& error);
     void publish(bool always);
     [[nodiscard]] Instant clockNow() const; ///< the transport's
+    void lookForFreeze();
+    void refuse(const Transaction& transaction);
+    void followState();
+    void withdrawLastStop();
 
     std::unique_ptr<Transport> m_transport;
     QString m_address;
@@ -59,7 +72,13 @@ private:
     QTimer m_wake;
     QTimer m_reopen;
     QTimer m_publish;
+    QTimer m_freeze; ///< runs while armed
     Instant m_lastPublished;
+    Instant m_lastHeartbeat;
+    Instant m_silentUntil;
+    bool m_isArmed = false;
+    bool m_stopOnClose = true;
+    bool m_hasLastStop = false;
 };
 
 } // namespace trex

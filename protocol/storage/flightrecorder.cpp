@@ -61,7 +61,7 @@ FlightRecorder::FlightRecorder(Controller& controller, const TelemetryStore& sto
     : QObject(parent), m_controller(controller), m_store(store), m_feed(controller)
 {
     m_after.setSingleShot(true);
-    m_after.callOnTimeout(this, &FlightRecorder::writeFile);
+    m_after.callOnTimeout(this, [this] { writeFile(m_policy.after); });
     connect(&controller, &Controller::batchArrived, this, &FlightRecorder::onBatch);
     connect(&m_feed, &RecordingFeed::eventSeen, this, &FlightRecorder::onEvent);
     connect(&m_feed, &RecordingFeed::packetSeen, this,
@@ -79,6 +79,9 @@ FlightRecorder::FlightRecorder(Controller& controller, const TelemetryStore& sto
             freeze(u"loss"_s);
         }
     });
+    for (const RecordedEvent& event : m_feed.state()) {
+        m_before[event.kind] = event;
+    }
     setPolicy({});
 }
 
@@ -86,7 +89,7 @@ FlightRecorder::~FlightRecorder()
 {
     if (m_after.isActive()) {
         m_after.stop();
-        writeFile();
+        writeFile(m_policy.after);
     }
 }
 
@@ -100,8 +103,18 @@ void FlightRecorder::onEvent(const RecordedEvent& event)
 {
     m_events.push_back(event);
     if (m_events.size() > kMostEvents) {
-        m_events.pop_front();
+        dropOldestEvent();
     }
+}
+
+/// What it said of the state still holds until a later one says otherwise.
+void FlightRecorder::dropOldestEvent()
+{
+    RecordedEvent& event = m_events.front();
+    if (RecordingFeed::isState(event.kind)) {
+        m_before[event.kind] = std::move(event);
+    }
+    m_events.pop_front();
 }
 
 void FlightRecorder::onBatch()
@@ -116,6 +129,7 @@ void FlightRecorder::onBatch()
         {{"status", kFaults}, {"uart-errors", kUartFaults}}};
     for (std::size_t i = 0; i < watched.size(); ++i) {
         const TimeSeries& series = m_store.series(watched[i].first);
+        m_nextStatus[i] = std::max(m_nextStatus[i], series.first());
         for (; m_nextStatus[i] < series.size(); ++m_nextStatus[i]) {
             // Reading clears the bits: each one that is set happened since the read before.
             isFault = isFault || (series.value(m_nextStatus[i]) & watched[i].second) != 0;
@@ -131,7 +145,7 @@ void FlightRecorder::forgetOld()
     const Tick oldest = TimeAxis::ticksOf(clockNow() - m_policy.before);
     const Tick oldestPacket = TimeAxis::ticksOf(clockNow() - m_policy.packetsBefore);
     while (!m_events.empty() && m_events.front().tick < oldest) {
-        m_events.pop_front();
+        dropOldestEvent();
     }
     while (!m_health.empty() && m_health.front().tick < oldest) {
         m_health.pop_front();
@@ -154,6 +168,15 @@ void FlightRecorder::freeze(const QString& reason)
     m_after.start(m_policy.after);
 }
 
+void FlightRecorder::keepNow(const QString& reason)
+{
+    if (m_after.isActive()) { // what waits is in it
+        m_after.stop();
+    }
+    m_reason = reason;
+    writeFile(Duration(0));
+}
+
 RecordingBatch FlightRecorder::collect(Instant from)
 {
     const Tick origin = TimeAxis::ticksOf(from);
@@ -163,7 +186,11 @@ RecordingBatch FlightRecorder::collect(Instant from)
     all.fill(true);
     tap.startAt(from);
     tap.take(all, origin, std::numeric_limits<std::int32_t>::max(), batch.runs);
-    batch.events.assign(m_events.begin(), m_events.end());
+    for (const auto& [kind, event] : m_before) {
+        batch.events.push_back(event);
+        batch.events.back().tick = origin; // it began before, and held then
+    }
+    batch.events.insert(batch.events.end(), m_events.begin(), m_events.end());
     batch.packets.assign(m_packets.begin(), m_packets.end());
     batch.health.assign(m_health.begin(), m_health.end());
     for (RecordedEvent& event : batch.events) {
@@ -182,11 +209,11 @@ RecordingBatch FlightRecorder::collect(Instant from)
     return batch;
 }
 
-void FlightRecorder::writeFile()
+void FlightRecorder::writeFile(Duration after)
 {
     forgetOld();
     const Instant now = clockNow();
-    const Duration length = m_policy.before + m_policy.after;
+    const Duration length = m_policy.before + after;
     const Instant from = now - length;
     const auto lengthMs = std::chrono::duration_cast<std::chrono::milliseconds>(length);
     const QDateTime wall = QDateTime::currentDateTimeUtc();

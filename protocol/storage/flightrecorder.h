@@ -44,6 +44,8 @@ public:
     /// Freezes in `after` from now, unless another freeze was too short ago. `reason`: "fault",
     /// "stop", "loss", or the caller's word of small letters; part of the file's name.
     void freeze(const QString& reason);
+    /// Freezes now, whatever the policy says but for its folder.
+    void keepNow(const QString& reason);
 
 signals:
     void frozen(const QString& path, const QString& reason);
@@ -52,8 +54,9 @@ signals:
 private:
     void onBatch();
     void onEvent(const RecordedEvent& event);
-    void writeFile();
+    void writeFile(Duration after);
     void forgetOld();
+    void dropOldestEvent();
     [[nodiscard]] RecordingBatch collect(Instant from);
 
     Controller& m_controller;
@@ -61,6 +64,7 @@ private:
     RecordingFeed m_feed;
     FlightPolicy m_policy;
     std::deque<RecordedEvent> m_events;
+    std::map<QString, RecordedEvent> m_before; ///< by kind: what held before the first of m_events
     std::deque<RecordedPacket> m_packets;
     std::deque<RecordedHealth> m_health;
     std::optional<Configuration> m_configuration;

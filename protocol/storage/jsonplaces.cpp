@@ -14,14 +14,15 @@
 namespace trex {
 namespace {
 
-// Our deepest key is calibration.rc.1.minimum. Paths of what lies deeper could fill the memory.
-constexpr std::size_t kDeepest = 6;
+// Paths of what lies deeper, or is longer than any of ours, could fill the memory.
+constexpr qsizetype kLongestPath = 400;
 
 struct Level {
     bool isObject = false;
     bool expectsKey = false;
     QString path;
-    QString key; ///< the latest key, whose value comes next
+    QString key; ///< the latest key, whose value comes next; in a list the value's number
+    int index = 0; ///< in a list: of the value that comes next
     QSet<QString> keys{};
     JsonPlace* place = nullptr; ///< of the latest key, when it is kept
     qsizetype valueStart = 0;
@@ -45,7 +46,7 @@ QString decoded(const QByteArray& quoted)
 
 class Scanner {
 public:
-    explicit Scanner(const QByteArray& json) : m_json(json) { }
+    Scanner(const QByteArray& json, std::size_t deepest) : m_json(json), m_deepest(deepest) { }
 
     JsonPlaces scan()
     {
@@ -83,6 +84,7 @@ private:
             if (!m_levels.empty()) {
                 endValue(at);
                 m_levels.back().expectsKey = m_levels.back().isObject;
+                ++m_levels.back().index;
             }
             break;
         case '"':
@@ -95,10 +97,15 @@ private:
 
     void enter(bool isObject)
     {
-        const bool isDeep = m_levels.size() >= kDeepest;
-        const QString path = m_levels.empty() || isDeep
-            ? QString()
-            : pathOf(m_levels.back().path, m_levels.back().key);
+        const bool isDeep = m_levels.size() >= m_deepest;
+        QString path;
+        if (!m_levels.empty() && !isDeep) {
+            const Level& above = m_levels.back();
+            path = pathOf(above.path, above.isObject ? above.key : QString::number(above.index));
+            if (!above.isObject && above.path.size() <= kLongestPath) {
+                m_places.keys[path] = {m_line, {}, {}}; // for what its object lacks
+            }
+        }
         m_levels.push_back({.isObject = isObject, .expectsKey = isObject, .path = path, .key = {}});
     }
 
@@ -125,7 +132,7 @@ private:
             m_places.duplicateLine = m_line;
         }
         level.keys.insert(level.key);
-        if (m_levels.size() <= kDeepest) {
+        if (m_levels.size() <= m_deepest && level.path.size() <= kLongestPath) {
             level.place = &m_places.keys[path];
             *level.place = {m_line, before, {}};
         }
@@ -133,6 +140,7 @@ private:
     }
 
     const QByteArray& m_json;
+    std::size_t m_deepest;
     std::vector<Level> m_levels;
     JsonPlaces m_places;
     int m_line = 1;
@@ -181,9 +189,9 @@ QString pathOf(const QString& object, const QString& key)
     return object.isEmpty() ? escaped : object + QLatin1Char('.') + escaped;
 }
 
-JsonPlaces findPlaces(const QByteArray& json)
+JsonPlaces findPlaces(const QByteArray& json, std::size_t deepest)
 {
-    return Scanner(json).scan();
+    return Scanner(json, deepest).scan();
 }
 
 QString placeText(const QByteArray& json, qsizetype offset)

@@ -26,9 +26,12 @@ struct JsonPlaces {
 };
 
 /// `json` must be well formed: QJsonDocument has taken it.
-[[nodiscard]] JsonPlaces findPlaces(const QByteArray& json);
+/// `deepest`: objects and lists within each other whose keys are kept; the default is enough for
+/// calibration.rc.1.minimum.
+[[nodiscard]] JsonPlaces findPlaces(const QByteArray& json, std::size_t deepest = 6);
 
-/// "device" and "number" are "device.number"; a dot within a key is "\.".
+/// "device" and "number" are "device.number"; a dot within a key is "\.". What stands in a list has
+/// its number, from 0, for a key: "steps.0.speed".
 [[nodiscard]] QString pathOf(const QString& object, const QString& key);
 
 /// "line 3, column 12" of a byte offset into the text.

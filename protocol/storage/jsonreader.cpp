@@ -89,8 +89,8 @@ Result<ParsedJson> parseJson(const QByteArray& bytes, const QString& fileName)
     return ParsedJson{json, document.object()};
 }
 
-JsonReader::JsonReader(const QByteArray& json, QString fileName)
-    : m_places(findPlaces(json)), m_fileName(std::move(fileName))
+JsonReader::JsonReader(const QByteArray& json, QString fileName, std::size_t deepest)
+    : m_places(findPlaces(json, deepest)), m_fileName(std::move(fileName))
 {
 }
 
@@ -126,6 +126,25 @@ Result<JsonReader::Node> JsonReader::child(const Node& parent, const QString& ke
         return wrongType(parent.at(key), ConfigFile::tr("an object"), value);
     }
     return Node{value.toObject(), parent.at(key)};
+}
+
+Result<double> JsonReader::number(const Node& node, const QString& key, double minimum,
+                                  double maximum) const
+{
+    const QJsonValue value = node.object.value(key);
+    if (value.isUndefined()) {
+        return wrong(node.at(key), ConfigFile::tr("is missing"));
+    }
+    if (!value.isDouble()) {
+        return wrongType(node.at(key), ConfigFile::tr("a number"), value);
+    }
+    const double found = value.toDouble();
+    if (!(found >= minimum && found <= maximum)) {
+        return wrong(
+            node.at(key),
+            ConfigFile::tr("%1 is out of range (%2…%3)").arg(found).arg(minimum).arg(maximum));
+    }
+    return found;
 }
 
 Result<int> JsonReader::integer(const Node& node, const QString& key, int minimum,

@@ -26,8 +26,8 @@ public:
         [[nodiscard]] QString at(const QString& key) const;
     };
 
-    /// `json` must be well formed.
-    JsonReader(const QByteArray& json, QString fileName);
+    /// `json` must be well formed. `deepest`: as findPlaces().
+    JsonReader(const QByteArray& json, QString fileName, std::size_t deepest = 6);
 
     [[nodiscard]] const JsonPlaces& places() const { return m_places; }
     [[nodiscard]] const QString& fileName() const { return m_fileName; }
@@ -37,6 +37,8 @@ public:
     [[nodiscard]] Result<Node> child(const Node& parent, const QString& key) const;
     [[nodiscard]] Result<int> integer(const Node& node, const QString& key, int minimum,
                                       int maximum) const;
+    [[nodiscard]] Result<double> number(const Node& node, const QString& key, double minimum,
+                                        double maximum) const;
 
 private:
     JsonPlaces m_places;

@@ -3,6 +3,9 @@
 
 #include "protocol/storage/recordingwriter.h"
 
+#include <QDir>
+#include <QFileInfo>
+
 namespace trex {
 
 using namespace Qt::Literals::StringLiterals;
@@ -12,11 +15,33 @@ namespace {
 // A slow disk may take its time with what waits for it; one that does not answer may not.
 constexpr unsigned long kLongestJoinMs = 60'000;
 
+/// "run.trexrec", "run-2.trexrec", …: the first that nobody has.
+QString freeName(const QString& path)
+{
+    const QFileInfo info(path);
+    const QString suffix = info.suffix().isEmpty() ? QString() : u'.' + info.suffix();
+    QString name = path;
+    for (int i = 2; QFileInfo::exists(name); ++i) {
+        name = info.dir().filePath(u"%1-%2%3"_s.arg(info.completeBaseName()).arg(i).arg(suffix));
+    }
+    return name;
+}
+
+Result<std::unique_ptr<RecordingWriter>> createNew(const QString& path, const RecordingFacts& facts)
+{
+    const QString folder = QFileInfo(path).path();
+    if (!QDir().mkpath(folder)) {
+        return fail(ErrorCode::FileUnwritable, folder);
+    }
+    return RecordingWriter::create(path, facts);
+}
+
 } // namespace
 
 class RecorderThread::Worker : public QObject {
 public:
     Writer writer;
+    QString path;
 };
 
 RecorderThread::RecorderThread(QObject* parent)
@@ -51,30 +76,45 @@ void RecorderThread::post(Job job, const Handler& handler)
         Qt::QueuedConnection);
 }
 
-void RecorderThread::create(const QString& path, const RecordingFacts& facts,
-                            const Handler& handler)
+void RecorderThread::measure(const QString& path)
 {
-    post(
-        [path, facts](Writer& writer) -> Result<void> {
-            writer.reset(); // an earlier file keeps what it has
-            auto created = RecordingWriter::create(path, facts);
-            if (!created) {
-                return tl::make_unexpected(created.error());
+    m_bytes = QFileInfo(path).size() + QFileInfo(path + u"-wal"_s).size();
+}
+
+void RecorderThread::create(const QString& path, const RecordingFacts& facts, Existing existing,
+                            const Created& handler)
+{
+    m_bytes = 0;
+    QMetaObject::invokeMethod(
+        m_worker,
+        [this, worker = m_worker, path, facts, existing, handler] {
+            worker->writer.reset(); // an earlier file keeps what it has
+            worker->path = existing == Existing::Keep ? freeName(path) : path;
+            auto created = existing == Existing::Keep
+                ? createNew(worker->path, facts)
+                : RecordingWriter::create(worker->path, facts);
+            Result<QString> result = worker->path;
+            if (created) {
+                worker->writer = std::move(*created);
+                measure(worker->path);
+            } else {
+                result = tl::make_unexpected(created.error());
             }
-            writer = std::move(*created);
-            return {};
+            QMetaObject::invokeMethod(
+                this, [handler, result] { handler(result); }, Qt::QueuedConnection);
         },
-        handler);
+        Qt::QueuedConnection);
 }
 
 void RecorderThread::write(RecordingBatch batch, const Handler& handler)
 {
     post(
-        [batch = std::move(batch)](Writer& writer) -> Result<void> {
+        [this, worker = m_worker, batch = std::move(batch)](Writer& writer) -> Result<void> {
             if (!writer) {
                 return fail(ErrorCode::Cancelled);
             }
             auto written = writer->write(batch);
+            measure(worker->path);
             if (!written) {
                 writer.reset();
             }
@@ -86,12 +126,13 @@ void RecorderThread::write(RecordingBatch batch, const Handler& handler)
 void RecorderThread::finish(const Handler& handler)
 {
     post(
-        [](Writer& writer) -> Result<void> {
+        [this, worker = m_worker](Writer& writer) -> Result<void> {
             if (!writer) {
                 return fail(ErrorCode::Cancelled);
             }
             auto finished = writer->finish();
             writer.reset();
+            measure(worker->path);
             return finished;
         },
         handler);

@@ -5,6 +5,7 @@
 
 #include <QThread>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 
@@ -20,6 +21,11 @@ class RecorderThread : public QObject {
 
 public:
     using Handler = std::function<void(const Result<void>&)>;
+    using Created = std::function<void(const Result<QString>& path)>;
+    enum class Existing : std::uint8_t {
+        Replace, ///< an older file of that name goes
+        Keep, ///< the new one gets another name ("NAME-2"), and its folder is made when missing
+    };
     using Writer = std::unique_ptr<RecordingWriter>;
     using Job = std::function<Result<void>(Writer&)>; ///< on the recorder's thread
 
@@ -27,15 +33,20 @@ public:
     /// After all jobs that were posted: what was handed over reaches the disk.
     ~RecorderThread() override;
 
-    void create(const QString& path, const RecordingFacts& facts, const Handler& handler);
+    void create(const QString& path, const RecordingFacts& facts, Existing existing,
+                const Created& handler);
     /// An error closes the file, with what it has; further batches are refused.
     void write(RecordingBatch batch, const Handler& handler);
     void finish(const Handler& handler);
     void post(Job job, const Handler& handler);
+    /// Size of the file that is, or was last, written, with what SQLite keeps beside it.
+    [[nodiscard]] qint64 bytes() const { return m_bytes; }
 
 private:
+    void measure(const QString& path); ///< on the recorder's thread
     class Worker;
     QThread m_thread;
+    std::atomic<qint64> m_bytes = 0;
     Worker* m_worker; ///< deleted on its own thread when that ends
 };
 

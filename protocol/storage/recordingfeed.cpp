@@ -20,6 +20,11 @@ QString textOf(std::string_view text)
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+QString textOf(bool is)
+{
+    return is ? u"true"_s : u"false"_s;
+}
+
 RecordedPacket packetOf(const TransactionRecord& record)
 {
     return {.sent = TimeAxis::ticksOf(record.sent),
@@ -44,7 +49,7 @@ RecordingFeed::RecordingFeed(Controller& controller, QObject* parent)
         emit factsChanged();
     });
     connect(&controller, &Controller::armedChanged, this,
-            [this](bool armed) { tell(0, "armed"_L1, armed ? u"true"_s : u"false"_s); });
+            [this](bool armed) { tell(0, "armed"_L1, textOf(armed)); });
     connect(&controller, &Controller::lockedOut, this, [this] { tell(1, "stop"_L1, {}); });
     connect(&controller, &Controller::restarted, this, [this] { tell(1, "restarted"_L1, {}); });
     connect(&controller, &Controller::deviceChanged, this, &RecordingFeed::onDevice);
@@ -108,10 +113,42 @@ void RecordingFeed::onDevice()
         tell(0, "mode"_L1, textOf(keyOf(*device.mode)));
     }
     if (device.serialControls && device.serialControls != m_device.serialControls) {
-        tell(0, "serial-control"_L1, *device.serialControls ? u"true"_s : u"false"_s);
+        tell(0, "serial-control"_L1, textOf(*device.serialControls));
+    }
+    if (device.learnedMask && device.learnedMask != m_device.learnedMask) {
+        tell(0, "learned"_L1, QString::number(*device.learnedMask));
     }
     m_device = device;
     emit factsChanged();
+}
+
+std::vector<RecordedEvent> RecordingFeed::state() const
+{
+    const DeviceInfo& device = m_controller.device();
+    const Tick now = TimeAxis::ticksOf(clockNow());
+    std::vector<RecordedEvent> events;
+    const auto add = [&](QLatin1StringView kind, const QString& text) {
+        events.push_back({now, 0, kind, text});
+    };
+    add("link"_L1, keyOf(m_controller.state()));
+    add("armed"_L1, textOf(m_controller.isArmed()));
+    if (device.mode) {
+        add("mode"_L1, textOf(keyOf(*device.mode)));
+    }
+    if (device.serialControls) {
+        add("serial-control"_L1, textOf(*device.serialControls));
+    }
+    if (device.learnedMask) {
+        add("learned"_L1, QString::number(*device.learnedMask));
+    }
+    return events;
+}
+
+bool RecordingFeed::isState(const QString& kind)
+{
+    static const std::array kinds{u"link"_s, u"armed"_s, u"mode"_s, u"serial-control"_s,
+                                  u"learned"_s};
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
 RecordingFacts RecordingFeed::facts() const

@@ -19,6 +19,11 @@ public:
     /// Packets cost time and memory: told only when somebody wants them.
     void setPacketsWanted(bool wanted) { m_arePacketsWanted = wanted; }
     [[nodiscard]] RecordingFacts facts() const; ///< of line and controller, as far as known now
+    /// What holds now, as events: link, mode, control, learned channels. A recording begins with
+    /// them.
+    [[nodiscard]] std::vector<RecordedEvent> state() const;
+    /// True for the kinds of state(): the latest of each says what holds.
+    [[nodiscard]] static bool isState(const QString& kind);
 
 signals:
     void eventSeen(const trex::RecordedEvent& event);

@@ -101,12 +101,16 @@ void SessionRecorder::start(const RecordingPlan& plan)
         m_tap.startNow();
     }
     m_isRecording = true;
-    m_thread.create(plan.path, startFacts(),
-                    [this, generation = m_generation](const Result<void>& created) {
+    for (const RecordedEvent& event : m_feed.state()) {
+        keep(m_pending.events, event);
+    }
+    m_thread.create(plan.path, startFacts(), plan.existing,
+                    [this, generation = m_generation](const Result<QString>& created) {
                         if (generation != m_generation) {
                             return;
                         }
                         if (created) {
+                            m_plan.path = *created;
                             emit started(m_plan.path);
                         } else {
                             onFailure(created.error());
@@ -196,6 +200,7 @@ void SessionRecorder::stop()
     m_pending.facts[QString::fromLatin1(recordingfact::kEndedTick)] =
         QString::number(TimeAxis::ticksOf(clockNow()) - m_origin);
     write(takePending());
+    m_tap.stop();
     m_isRecording = false;
     m_timer.stop();
     m_thread.finish([this, generation = m_generation](const Result<void>& done) {
@@ -217,6 +222,7 @@ void SessionRecorder::onFailure(const Error& error)
         return;
     }
     m_isRecording = false;
+    m_tap.stop();
     m_timer.stop();
     m_pending = {};
     emit failed(error);

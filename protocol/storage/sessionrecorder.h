@@ -15,6 +15,8 @@ namespace trex {
 
 struct RecordingPlan {
     QString path{};
+    /// Keep: the file gets a name of its own when this one is taken; path() says which.
+    RecorderThread::Existing existing = RecorderThread::Existing::Replace;
     SampleTap::Wanted polls{}; ///< and other sources; states have no samples
     bool hasPackets = false; ///< every attempt on the wire, too
     Duration history{0}; ///< how much of what the store already holds goes before
@@ -50,6 +52,8 @@ public:
     [[nodiscard]] QString path() const { return m_plan.path; }
     /// Of the source that has most: the rows of its CSV.
     [[nodiscard]] std::size_t samples() const;
+    /// On the disk, as of the last batch that it took.
+    [[nodiscard]] qint64 bytes() const { return m_thread.bytes(); }
     [[nodiscard]] std::size_t dropped() const { return m_dropped; } ///< events and packets
     [[nodiscard]] Duration length() const; ///< from the first sample to the last
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/transport/serialtransport.h"
 
+#include "protocol/transport/laststop.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -135,11 +137,20 @@ void SerialTransport::close()
 
 void SerialTransport::write(const QByteArray& bytes)
 {
-    if (!m_isOpen) {
+    if (!m_isOpen || laststop::isCrashing()) {
         return;
     }
     m_port.write(bytes);
     m_port.flush(); // now, not when the event loop comes round
+}
+
+int SerialTransport::descriptor() const
+{
+#ifdef Q_OS_UNIX
+    return m_isOpen ? static_cast<int>(m_port.handle()) : -1;
+#else
+    return -1;
+#endif
 }
 
 bool SerialTransport::waitForBytes(Duration longest)

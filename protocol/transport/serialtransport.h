@@ -18,6 +18,7 @@ public:
     void close() override;
     void write(const QByteArray& bytes) override;
     bool waitForBytes(Duration longest) override;
+    [[nodiscard]] int descriptor() const override;
 
 private:
     void onReadyRead();

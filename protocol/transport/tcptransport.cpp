@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/transport/tcptransport.h"
 
+#include "protocol/transport/laststop.h"
+
 namespace trex {
 
 namespace {
@@ -54,9 +56,14 @@ void TcpTransport::close()
     m_socket.abort();
 }
 
+int TcpTransport::descriptor() const
+{
+    return m_isOpen ? static_cast<int>(m_socket.socketDescriptor()) : -1;
+}
+
 void TcpTransport::write(const QByteArray& bytes)
 {
-    if (m_isOpen) {
+    if (m_isOpen && !laststop::isCrashing()) {
         m_socket.write(bytes);
         m_socket.flush();
     }

@@ -20,6 +20,7 @@ public:
     void close() override;
     void write(const QByteArray& bytes) override;
     bool waitForBytes(Duration longest) override;
+    [[nodiscard]] int descriptor() const override;
 
     static constexpr std::chrono::milliseconds kConnectTimeout{3000};
 

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] virtual Instant now() const { return std::chrono::steady_clock::now(); }
     /// False: time passes in waitForBytes() only, which then takes none.
     [[nodiscard]] virtual bool isRealTime() const { return true; }
+    /// Of the open line, for what a crashing program can still do; −1: there is none.
+    [[nodiscard]] virtual int descriptor() const { return -1; }
     /// The simulator only: switches the controller off and on again. False: not possible here.
     virtual bool powerCycle() { return false; }
 

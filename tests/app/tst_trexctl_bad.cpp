@@ -51,8 +51,9 @@ void tst_trexctl_bad::typed_data()
     for (const char* command :
          {// no command, or none that there is
           "", "frobnicate", "frobnicate 1 2", "--json", "infos", "info extra", "ports x",
-          "calibration", "calibration frob", "param", "config", "record", "record f.trexrec --duration 0",
-          "record f.trexrec --streams all", "export f --csv o", "run p.json",
+          "calibration", "calibration frob", "param", "config", "record",
+          "record f.trexrec --duration 0", "record f.trexrec --streams all", "export f --csv o",
+          "run p.json",
           // line options
           "--baud 9601 info", "--baud 0 info", "--baud -19200 info", "--baud fast info",
           "--baud 19200.0 info", "--baud 99999999999999999999 info", "--baud info",

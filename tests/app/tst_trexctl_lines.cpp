@@ -216,8 +216,8 @@ void tst_trexctl_lines::scan_finds()
     QVERIFY2(done.code == 0, done.err);
     QCOMPARE(done.array().size(), 1);
     const QJsonObject hit = done.array()[0].toObject();
-    QStringList keys{u"baud"_s, u"device"_s, u"echo"_s, u"errorDetection"_s, u"signature"_s,
-                     u"stopBits"_s};
+    QStringList keys{u"baud"_s,           u"device"_s,    u"echo"_s,
+                     u"errorDetection"_s, u"signature"_s, u"stopBits"_s};
     if (errorDetection == "crc7"_L1) {
         keys.insert(1, u"crcPolynomial"_s);
     }

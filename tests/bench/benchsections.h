@@ -10,6 +10,7 @@ void measurePlot(Results& results); ///< frame time, against Qt Charts' own seri
 void measurePrograms(Results& results); ///< start, memory, processor time of trexpanel
 void measureRecording(Results& results); ///< bytes a value, processor time, opening a day
 void measureLines(Results& results); ///< transactions a second on paced lines
+void measureStop(Results& results); ///< from the request to the last stop byte, under load
 /// A bare chart window, painted once; prints the milliseconds since the process started.
 [[nodiscard]] int runBareChart();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the program: `trex_bench [--json FILE] [store|plot|programs|record|lines ...]`, all if
-// none is named. Times drift with the machine and its load; the ratios within a run are what to
+// Measures the program: `trex_bench [--json FILE] [store|plot|programs|record|lines|stop ...]`, all
+// if none is named. Times drift with the machine and its load; the ratios within a run are what to
 // compare.
 #include "tests/bench/benchsections.h"
 
@@ -22,9 +22,10 @@ struct Section {
     const char* name;
     void (*measure)(Results&);
 };
-constexpr std::array kSections{Section{"store", measureStore}, Section{"plot", measurePlot},
-                               Section{"programs", measurePrograms},
-                               Section{"record", measureRecording}, Section{"lines", measureLines}};
+constexpr std::array kSections{
+    Section{"store", measureStore},       Section{"plot", measurePlot},
+    Section{"programs", measurePrograms}, Section{"record", measureRecording},
+    Section{"lines", measureLines},       Section{"stop", measureStop}};
 
 } // namespace
 

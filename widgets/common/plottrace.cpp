@@ -262,7 +262,9 @@ void PlotTrace::paintSamples(QPainter& painter, const PlotFrame::Curve& curve, s
                              std::size_t end)
 {
     const TimeSeries& series = *curve.series;
-    begin -= begin > 0 ? 1 : 0; // one more at each side, so that the line leaves through the edge
+    begin -= begin > series.first()
+        ? 1
+        : 0; // one more at each side, so that the line leaves through the edge
     end += end < series.size() ? 1 : 0;
     QList<QPointF> lonely; ///< samples with nothing known on either side
     std::optional<QPointF> previous;
