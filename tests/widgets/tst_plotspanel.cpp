@@ -197,6 +197,21 @@ private slots:
         QCOMPARE(bench.panel->stack().panes().size(), std::size_t(4));
     }
 
+    void plots_areMadeHigherByTheirMenu()
+    {
+        PlotsBench bench;
+        bench.make();
+        const int before = bench.pane(1).height();
+        bench.part<QToolButton>(u"plots.plot2.menu"_s)->click();
+        QMenu* menu = bench.panel->findChild<QMenu*>(u"plots.plotMenu"_s);
+        QVERIFY(menu != nullptr);
+        entry(*menu, u"Higher"_s)->trigger();
+        bench.settle();
+        QVERIFY(bench.pane(1).height() > before + 20);
+        entry(*menu, u"Move up"_s)->trigger();
+        QVERIFY(bench.pane(0).has(kCommand1));
+    }
+
     void lastPlot_isEmptiedInsteadOfRemoved()
     {
         PlotsBench bench;
@@ -299,6 +314,9 @@ private slots:
         QCOMPARE(references.size(), std::size_t(2));
         // It stands where it was seen, while the curve has moved on.
         QCOMPARE(references[0].shift, Duration(5s));
+        bench.panel->timeline().setPaused(true);
+        bench.panel->timeline().zoom(0.5, 0.3); // looking closer moves nothing against the curve
+        QCOMPARE(bench.plot(0).frame().references[0].shift, Duration(5s));
         bench.part<QDoubleSpinBox>(u"plots.compare.run1.offset"_s)->setValue(0.25);
         bench.settle();
         QCOMPARE(bench.plot(0).frame().references[0].shift, Duration(5'250ms));

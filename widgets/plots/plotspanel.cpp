@@ -219,7 +219,11 @@ void PlotsPanel::updateAnchors()
     std::optional<Instant> anchor;
     switch (alignment) {
     case Alignment::View:
-        anchor = m_timeline->from();
+        // Standing still, it stays with what it lies on: looking closer moves both.
+        if (!m_timeline->isPaused() || !m_viewAnchor) {
+            m_viewAnchor = m_timeline->from();
+        }
+        anchor = m_viewAnchor;
         break;
     case Alignment::Start:
         anchor = store.start();
@@ -281,6 +285,7 @@ void PlotsPanel::freeze()
 {
     const TimeRange range = m_timeline->range();
     auto copy = copyOf(context().store, range.from, range.to);
+    m_viewAnchor = range.from;
     m_references->add(std::move(copy), tr("Frozen view %1").arg(++m_frozen), range.from,
                       amperesPerCount(context().controller.model()));
 }

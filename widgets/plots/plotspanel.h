@@ -88,6 +88,7 @@ private:
     QToolButton* m_cursors = nullptr;
     QToolButton* m_sideButton = nullptr;
     QTimer m_saveLayout; ///< a splitter that is dragged changes often
+    std::optional<Instant> m_viewAnchor; ///< left edge that frozen views lie on
     std::optional<Instant> m_searchedTo; ///< for steps of the commands
     std::optional<Instant> m_lastStep;
     int m_clears = 0;

@@ -167,6 +167,21 @@ void PlotStack::movePlot(PlotPane* pane, int by)
     emit layoutChanged();
 }
 
+void PlotStack::resizePlot(PlotPane* pane, int by)
+{
+    QList<int> sizes = m_splitter->sizes();
+    const auto index = static_cast<qsizetype>(m_splitter->indexOf(pane));
+    const int others = static_cast<int>(sizes.size()) - 1;
+    if (index < 0 || others < 1) {
+        return;
+    }
+    for (qsizetype i = 0; i < sizes.size(); ++i) {
+        sizes[i] = std::max(sizes[i] + (i == index ? by : -by / others), 1);
+    }
+    m_splitter->setSizes(sizes);
+    emit layoutChanged();
+}
+
 void PlotStack::moveCurve(const QString& key, PlotPane* from, PlotPane* to)
 {
     if (const auto curve = from->takeCurve(key)) {

@@ -29,6 +29,7 @@ public:
     PlotPane* addPlot(const PlotSpec& spec = {}); ///< at the bottom
     void removePlot(PlotPane* pane); ///< the last one is emptied instead
     void movePlot(PlotPane* pane, int by); ///< −1: up
+    void resizePlot(PlotPane* pane, int by); ///< pixels, taken from the others
     void moveCurve(const QString& key, PlotPane* from, PlotPane* to); ///< null `to`: a new plot
     void addCurve(const QString& key, PlotPane* to);
     [[nodiscard]] PlotPane* paneAt(const QPoint& globalPosition) const;

@@ -14,6 +14,8 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
+constexpr int kHeightStep = 40; ///< pixels
+
 QIcon lineIcon(const QColor& colour, double width)
 {
     constexpr int kSize = 16;
@@ -102,6 +104,10 @@ void PlotStack::showPaneMenu(PlotPane* pane, const QPoint& at)
     up->setEnabled(pane != m_panes.front());
     QAction* down = menu->addAction(tr("Move down"), pane, [this, pane] { movePlot(pane, 1); });
     down->setEnabled(pane != m_panes.back());
+    menu->addAction(tr("Higher"), pane, [this, pane] { resizePlot(pane, kHeightStep); })
+        ->setEnabled(m_panes.size() > 1);
+    menu->addAction(tr("Lower"), pane, [this, pane] { resizePlot(pane, -kHeightStep); })
+        ->setEnabled(m_panes.size() > 1);
     menu->addSeparator();
     menu->addAction(tr("New plot"), this, [this] { addPlot(); });
     menu->addAction(theme::icon(u"cancel"_s), tr("Remove this plot"), this,
