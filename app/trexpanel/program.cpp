@@ -46,11 +46,13 @@ Program::Program(PanelOptions options)
     , m_settings(m_file)
     , m_controller(&m_store, &m_latch)
     , m_deviceSettings(m_controller)
+    , m_timeoutWatch(m_controller, m_deviceSettings)
+    , m_safety(m_controller, m_store, m_settings)
     , m_journal(journalPath(m_file.path()))
     , m_audit(m_controller, m_deviceSettings, m_journal, WriteAudit::WhenUnsaved::RefuseOnce)
     , m_markKeeper(m_marks, m_controller, m_latch, m_deviceSettings)
-    , m_context{m_controller, m_deviceSettings, m_store,  m_latch,  m_log,        m_settings,
-                m_ticker,     m_fileDialogs,    &m_audit, &m_marks, &m_references}
+    , m_context{m_controller, m_deviceSettings, m_store, m_latch, m_log, m_settings,
+                m_ticker, m_fileDialogs, &m_audit, &m_marks, &m_references, &m_timeoutWatch}
     , m_recordings(
           m_context,
           {{QString::fromLatin1(recordingfact::kProgram), u"trexpanel"_s},
@@ -187,9 +189,7 @@ void Program::chooseLanguage(const QString& code)
     if (code == m_languages.inUse()) {
         return;
     }
-    if (m_controller.isArmed()) {
-        m_controller.disarm();
-    }
+    m_controller.disarm(DisarmReason::LanguageSwitch);
     m_window->saveLayout();
     m_window->hide();
     m_window.release()->deleteLater(); // one of its menus is still calling

@@ -3,10 +3,12 @@
 
 #include "app/trexpanel/languages.h"
 #include "app/trexpanel/paneloptions.h"
+#include "app/trexpanel/safetywatch.h"
 #include "protocol/procedures/markkeeper.h"
 #include "protocol/procedures/writeaudit.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/devicesettings.h"
+#include "protocol/session/serialtimeoutwatch.h"
 #include "protocol/telemetry/plotreferences.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -62,6 +64,8 @@ private:
     StatusLatch m_latch;
     Controller m_controller;
     DeviceSettings m_deviceSettings;
+    SerialTimeoutWatch m_timeoutWatch;
+    SafetyWatch m_safety;
     Journal m_journal;
     WriteAudit m_audit;
     MarkTrack m_marks;

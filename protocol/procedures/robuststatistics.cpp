@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 namespace trex {
@@ -52,6 +53,19 @@ double middleOf(std::span<const double> values)
 {
     std::vector<double> work(values.begin(), values.end());
     return middle(work);
+}
+
+double trimmedMeanOf(std::span<const int> values, double cut)
+{
+    std::vector<int> work(values.begin(), values.end());
+    std::ranges::sort(work);
+    const auto wanted = static_cast<std::size_t>(std::ceil(cut * double(work.size())));
+    const std::size_t most = work.empty() ? 0 : (work.size() - 1) / 2;
+    const std::size_t left = std::min(wanted, most);
+    const auto kept = std::span(work).subspan(left, work.size() - 2 * left);
+    return kept.empty()
+        ? 0.0
+        : std::accumulate(kept.begin(), kept.end(), 0.0) / static_cast<double>(kept.size());
 }
 
 double quantileOf(std::span<const int> values, double share)

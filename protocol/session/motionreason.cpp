@@ -256,7 +256,7 @@ constexpr std::array kCauses{
     CauseRow{.cause = MotionCause::NoCurrent,
              .holds =
                  [](Facts f) {
-                     return f.isJoint != true && isWithoutCurrent(f)
+                     return f.isSettled && f.isJoint != true && isWithoutCurrent(f)
                          && std::max(speedOf(f.orders[0]), speedOf(f.orders[1])) >= kWorthCurrent;
                  },
              .look = MotionLook::Warning,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the program: `trex_bench [--json FILE] [plot|store|live|record|start ...]`, all if none
-// is named. Times drift with the machine and its load; the ratios within a run are what to
+// Measures the program: `trex_bench [--json FILE] [plot|store|live|record|start|stop ...]`, all if
+// none is named. Times drift with the machine and its load; the ratios within a run are what to
 // compare.
 #include "tests/bench/benchsections.h"
 
@@ -29,9 +29,9 @@ void measureLive(Results& results)
     measureProcessor(results);
 }
 
-constexpr std::array kSections{Section{"plot", measurePlot}, Section{"store", measureStore},
-                               Section{"live", measureLive}, Section{"record", measureRecording},
-                               Section{"start", measureStart}};
+constexpr std::array kSections{Section{"plot", measurePlot},   Section{"store", measureStore},
+                               Section{"live", measureLive},   Section{"record", measureRecording},
+                               Section{"start", measureStart}, Section{"stop", measureStop}};
 
 /// The first of the names that is no section's; empty: all are.
 QString unknownOf(const QStringList& names)
@@ -59,8 +59,8 @@ int main(int argc, char** argv)
     QCommandLineParser parser;
     const QCommandLineOption json(u"json"_s, u"Write the results as JSON."_s, u"FILE"_s);
     parser.addOption(json);
-    parser.addPositionalArgument(u"section"_s, u"plot, store, live, record, start; all if none."_s,
-                                 u"[section...]"_s);
+    parser.addPositionalArgument(
+        u"section"_s, u"plot, store, live, record, start, stop; all if none."_s, u"[section...]"_s);
     parser.addHelpOption();
     parser.process(app);
 
@@ -68,7 +68,7 @@ int main(int argc, char** argv)
     QTextStream err(stderr);
     const QStringList wanted = parser.positionalArguments();
     if (const QString unknown = unknownOf(wanted); !unknown.isEmpty()) {
-        err << "There is no section '" << unknown << "': plot, store, live, record, start\n";
+        err << "There is no section '" << unknown << "': plot, store, live, record, start, stop\n";
         return 2;
     }
     err << "load of the machine at the start: " << systemLoad() << '\n';

@@ -12,9 +12,11 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace trex {
 
+class DrivePad;
 class MotorRow;
 
 /// Drives the motors. Disarmed at start; arming is one deliberate act, and every way out of it
@@ -27,10 +29,18 @@ public:
 
 private:
     void makeControls();
+    void makeOptions();
+    void makePad();
     void makeRows();
+    void listen();
     void onArmClicked(bool wanted);
     void onSpeed(MotorId motor, int speed);
     void onBrake(MotorId motor, int duty);
+    void onPad(int forward, int turn);
+    void onPadShown(bool shown);
+    void followSettings();
+    void openSafety();
+    void openProof();
     void refresh();
     void refreshHint();
     void showOrders();
@@ -42,6 +52,9 @@ private:
     QPushButton* m_arm = nullptr;
     QComboBox* m_mode = nullptr;
     QCheckBox* m_link = nullptr;
+    QCheckBox* m_hold = nullptr;
+    QToolButton* m_padShown = nullptr;
+    DrivePad* m_pad = nullptr;
     QLabel* m_hint = nullptr;
     std::array<MotorRow*, 3> m_rows{};
     QTimer m_lockout; ///< arming is refused just after a stop
