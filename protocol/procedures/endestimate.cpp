@@ -5,6 +5,7 @@
 #include "protocol/procedures/robuststatistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -25,10 +26,8 @@ constexpr double kJoinErrors = 4.0; // standard errors that a block may differ b
 constexpr double kJoinRounding = 1.0; // raw
 constexpr std::size_t kMostUsed = 250; // 5 s at 50 Hz
 constexpr Duration kLargestGap = 600ms; // a longer silence ends what was held
+constexpr double kAgreeing = 0.75; // share of the readings: the rest may be spikes
 constexpr std::size_t kLeastUsed = 7; // readings: three spikes in a row make no end
-// The noise of a long hold counts when it is plainly more than that at rest.
-constexpr double kMoreNoise = 1.25;
-
 // By how much more the end is off than the highest third of the window stands out. Swung through in
 // a short time: mass makes a parabola of it, whose middle third stands out by 0.82 to 0.89 of that.
 // Crept to in a long one: a straight line, whose last third does by 2/3.
@@ -39,6 +38,15 @@ constexpr std::size_t kLeastPart = 3;
 // A shorter one may have been a swing through the end, of which nothing is explained away.
 constexpr double kChosenErrors = 2.0;
 constexpr std::size_t kLongHold = kHoldSamples;
+// The noise of a long hold counts when it is plainly more than that at rest.
+constexpr double kMoreNoise = 1.25;
+
+// A parabola through a swing: for windows of so many readings, where it explains all but the noise.
+constexpr std::array<std::size_t, 3> kSwings{11, 17, 25};
+constexpr double kVertexError = 1.5; // of its vertex, in standard errors of the mean
+constexpr double kResidualErrors = 1.5; // of the residual σ: more is no parabola
+constexpr double kMisfit = 0.7; // in σ: what such a test does not see
+constexpr double kMostOff = 0.5; // of half the window, from its middle to the vertex
 
 struct Span {
     std::size_t first;
@@ -62,6 +70,11 @@ public:
         for (std::size_t first = m_core.first; first + kLeastUsed <= m_core.last + 1; ++first) {
             for (std::size_t last = first + kLeastUsed - 1; last <= m_core.last; ++last) {
                 keepSurer(best, of({first, last}));
+            }
+        }
+        for (const std::size_t samples : kSwings) {
+            if (const auto swing = ofSwing(samples)) {
+                keepSurer(best, *swing);
             }
         }
         // More than it, when it was held: the more readings, the less their noise counts.
@@ -128,6 +141,7 @@ private:
             <= kJoinErrors * error + kJoinRounding;
     }
     [[nodiscard]] EndEstimate of(Span span) const;
+    [[nodiscard]] std::optional<EndEstimate> ofSwing(std::size_t samples) const;
 
     const std::deque<SweepPoint>& m_sweep;
     Span m_core;
@@ -145,7 +159,7 @@ EndEstimate Estimator::of(Span span) const
                          [this](int raw) { return std::abs(raw - m_centre) <= m_outlier; });
     const std::size_t count = values.size();
     EndEstimate estimate;
-    estimate.isAgreed = 2 * count > whole.size();
+    estimate.isAgreed = kAgreeing * double(whole.size()) <= double(count);
     if (values.empty()) {
         estimate.value = m_centre;
         estimate.uncertainty = m_outlier;
@@ -167,11 +181,57 @@ EndEstimate Estimator::of(Span span) const
         const double part = trimmedMeanOf(std::span(whole).subspan(from, third), kPartCut);
         farthest = std::max(farthest, m_sign * (part - estimate.value));
     }
-    const double explained =
-        isLong ? kChosenErrors * noiseUncertainty(sigma, third) / kNoiseErrors : 0.0;
-    const double factor = isLong ? kCreepFactor : kSwingFactor;
-    estimate.uncertainty =
-        noiseUncertainty(sigma, count) + factor * std::max(0.0, farthest - explained);
+    const double error = noiseUncertainty(sigma, 1); // of one reading
+    if (isLong) {
+        const double explained = kChosenErrors / kNoiseErrors * error / std::sqrt(double(third));
+        estimate.uncertainty =
+            error / std::sqrt(double(count)) + kCreepFactor * std::max(0.0, farthest - explained);
+    } else {
+        // The part is of the same readings: their noise counts in both.
+        const double factor = kSwingFactor * kSwingFactor;
+        estimate.uncertainty =
+            error * std::sqrt(factor / double(third) - (factor - 1.0) / double(count))
+            + kSwingFactor * farthest;
+    }
+    return estimate;
+}
+
+std::optional<EndEstimate> Estimator::ofSwing(std::size_t samples) const
+{
+    const std::size_t middle = (m_core.first + m_core.last) / 2;
+    const std::size_t half = samples / 2;
+    if (middle < half || middle + half >= m_sweep.size()) {
+        return std::nullopt;
+    }
+    const Span span{middle - half, middle + half};
+    const double reach =
+        std::chrono::duration<double>(m_sweep[span.last].time - m_sweep[span.first].time).count()
+        / 2.0;
+    if (!isUnbroken(span) || reach <= 0.0) {
+        return std::nullopt;
+    }
+    const Instant centre = m_sweep[middle].time;
+    std::vector<CurvePoint> points;
+    for (std::size_t i = span.first; i <= span.last; ++i) {
+        const double x = std::chrono::duration<double>(m_sweep[i].time - centre).count() / reach;
+        points.push_back({x, double(m_sign * m_sweep[i].raw)});
+    }
+    const auto parabola = fitParabola(points);
+    const double sigma = std::max(m_sigma, kRoundingSigma);
+    const double mostResidual = 1.0 + kResidualErrors / std::sqrt(2.0 * double(samples - 3));
+    if (!parabola || parabola->curvature >= 0.0 || std::abs(parabola->vertexAt) > kMostOff
+        || parabola->residualSigma > mostResidual * sigma) {
+        return std::nullopt;
+    }
+    const std::vector<int> whole = all(span);
+    const auto [lowest, highest] = std::ranges::minmax(whole);
+    EndEstimate estimate;
+    // Never beyond what was read.
+    estimate.value = std::clamp(m_sign * parabola->vertex, double(lowest), double(highest));
+    estimate.window = {lowest, highest, static_cast<int>(whole.size()), m_sweep[span.first].time,
+                       m_sweep[span.last].time};
+    estimate.uncertainty = kVertexError * noiseUncertainty(sigma, whole.size()) + kMisfit * sigma;
+    estimate.isAgreed = true;
     return estimate;
 }
 

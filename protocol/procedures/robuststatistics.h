@@ -2,6 +2,7 @@
 // Statistics that a few spikes cannot bend. Pure; an empty span gives 0.
 #pragma once
 
+#include <optional>
 #include <span>
 
 namespace trex {
@@ -24,5 +25,18 @@ namespace trex {
 [[nodiscard]] double refinedSigma(std::span<const int> values);
 /// σ from successive differences: slow movement hardly counts in it, noise does.
 [[nodiscard]] double differenceSigma(std::span<const int> values);
+
+struct CurvePoint {
+    double x;
+    double y;
+};
+struct Parabola {
+    double vertexAt; ///< x
+    double vertex; ///< y there
+    double curvature; ///< negative: the vertex is the highest point
+    double residualSigma; ///< of the points about it
+};
+/// By least squares, so not deaf to spikes; none for fewer than 4 points or a straight line.
+[[nodiscard]] std::optional<Parabola> fitParabola(std::span<const CurvePoint> points);
 
 } // namespace trex
