@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panelregistry.h"
 
+#include "widgets/bench/benchpanel.h"
 #include "widgets/calibration/calibrationpanel.h"
 #include "widgets/channels/channelspanel.h"
 #include "widgets/connection/connectionpanel.h"
@@ -38,6 +39,7 @@ constexpr std::array kPanels {
     PanelRow {.id = "packets",     .title = QT_TRANSLATE_NOOP("Panels", "Packets"),        .icon = "packets",    .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<PacketsPanel>},
     PanelRow {.id = "log",         .title = QT_TRANSLATE_NOOP("Panels", "Log"),            .icon = "log",        .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<LogPanel>},
     PanelRow {.id = "calibration", .title = QT_TRANSLATE_NOOP("Panels", "Calibration"),    .icon = "calibrate",  .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<CalibrationPanel>},
+    PanelRow {.id = "bench",       .title = QT_TRANSLATE_NOOP("Panels", "Bench tests"),    .icon = "play",       .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<BenchPanel>},
     PanelRow {.id = "channels",    .title = QT_TRANSLATE_NOOP("Panels", "Channels"),       .icon = "channels",   .area = Qt::RightDockWidgetArea,  .order = 0, .make = make<ChannelsPanel>},
 };
 // clang-format on

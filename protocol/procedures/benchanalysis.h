@@ -65,6 +65,9 @@ struct BenchOutcome {
 /// `run` has ended.
 [[nodiscard]] BenchOutcome evaluate(const BenchRun& run, bool isDryRun);
 
+/// Anew, after the profile's expectations have changed.
+void judge(BenchOutcome& outcome);
+
 /// The proposals as a configuration with their reasons as comments: a file that the parameters
 /// panel loads and `trexctl config diff` reads.
 [[nodiscard]] Configuration configurationOf(const std::vector<BenchProposal>& proposals,

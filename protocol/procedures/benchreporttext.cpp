@@ -73,7 +73,10 @@ std::vector<std::pair<QString, QString>> factsOf(const BenchOutcome& outcome,
         {Bench::tr("Controller"), orNot(report.model)},
         {Bench::tr("Firmware"), orNot(report.firmware)},
         {Bench::tr("Mode"), orNot(report.mode)},
-        {Bench::tr("Port"), orNot(report.port)},
+        {Bench::tr("Port"),
+         report.port.startsWith("sim:"_L1)
+             ? Bench::tr("%1 (a simulated controller)").arg(report.port)
+             : orNot(report.port)},
         {Bench::tr("Line"), orNot(report.line)},
         {Bench::tr("Supply"),
          outcome.profile.supplyVolts

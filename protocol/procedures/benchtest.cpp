@@ -17,6 +17,34 @@ Instant clockNow()
     return std::chrono::steady_clock::now();
 }
 
+/// The gate sees faults before the run does.
+BenchEnd endOf(DisarmReason reason)
+{
+    switch (reason) {
+    case DisarmReason::MotorFault:
+    case DisarmReason::OverCurrent:
+    case DisarmReason::UartError:
+    case DisarmReason::SerialTimeout:
+    case DisarmReason::Stalled:
+        return BenchEnd::Limit;
+    case DisarmReason::LinkLost:
+        return BenchEnd::LinkLost;
+    default:
+        return BenchEnd::Stopped;
+    }
+}
+
+/// True when the person's motion limits would make other orders of the profile's.
+bool shapes(const MotionLimits& limits, const BenchProfile& profile)
+{
+    bool isLimited = limits.hasRamps();
+    for (const MotorId motor : {MotorId::Motor1, MotorId::Motor2, MotorId::Aux}) {
+        isLimited =
+            isLimited || highestSpeed(profile, motor) > limits.maximum.at(std::size_t(motor));
+    }
+    return isLimited;
+}
+
 } // namespace
 
 BenchTest::BenchTest(Controller& controller, const BenchProfile& profile, QObject* parent)
@@ -43,6 +71,14 @@ void BenchTest::start()
         finish(sound);
         return;
     }
+    if (shapes(m_controller->shaper().limits(), m_run.profile())) {
+        // What was measured would not belong to what was told.
+        m_run.end(BenchEnd::Failed,
+                  Bench::tr("the motion limits (highest speed, soft start, soft stop) would change "
+                            "the orders of this test; choose a slower test or lift them"));
+        finish({});
+        return;
+    }
     if (const auto armed = m_controller->arm(); !armed) {
         finish(armed);
         return;
@@ -52,7 +88,8 @@ void BenchTest::start()
     connect(m_controller, &Controller::armedChanged, this, [this](bool armed) {
         // A lost link disarms too, and tells so itself.
         if (!armed && m_controller->state() == LinkState::Connected) {
-            m_run.end(BenchEnd::Stopped, Bench::tr("stopped or disarmed"));
+            const Disarming& why = m_controller->gate().lastDisarming();
+            m_run.end(endOf(why.reason), disarmText(why.reason));
             QMetaObject::invokeMethod(this, &BenchTest::conclude, Qt::QueuedConnection);
         }
     });
