@@ -27,13 +27,15 @@ namespace {
 
 constexpr int kTicksBetween = 3; ///< digits that change faster cannot be read
 constexpr int kMostRows = 6; ///< without scrolling
+constexpr int kFewestRows = 2;
+constexpr double kMostHeight = 0.3; ///< of the panel: the plots are what one looks at
 
 // clang-format off
 constexpr std::array kHeaders{
     QT_TRANSLATE_NOOP("trex::MeasurementModel", "Curve"),   QT_TRANSLATE_NOOP("trex::MeasurementModel", "A"),
     QT_TRANSLATE_NOOP("trex::MeasurementModel", "B"),       QT_TRANSLATE_NOOP("trex::MeasurementModel", "B − A"),
-    QT_TRANSLATE_NOOP("trex::MeasurementModel", "Minimum"), QT_TRANSLATE_NOOP("trex::MeasurementModel", "Mean"),
-    QT_TRANSLATE_NOOP("trex::MeasurementModel", "RMS"),     QT_TRANSLATE_NOOP("trex::MeasurementModel", "Maximum"),
+    QT_TRANSLATE_NOOP("trex::MeasurementModel", "Min"), QT_TRANSLATE_NOOP("trex::MeasurementModel", "Mean"),
+    QT_TRANSLATE_NOOP("trex::MeasurementModel", "RMS"),     QT_TRANSLATE_NOOP("trex::MeasurementModel", "Max"),
     QT_TRANSLATE_NOOP("trex::MeasurementModel", "Charge"),  QT_TRANSLATE_NOOP("trex::MeasurementModel", "Samples"),
 };
 // clang-format on
@@ -204,8 +206,8 @@ MeasurementView::MeasurementView(PlotTimeline& timeline, FrameTicker& ticker, co
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setFocusPolicy(Qt::TabFocus);
     m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     applyTheme();
@@ -262,7 +264,11 @@ void MeasurementView::update()
     }
     m_times->setText(times.join(u"    "_s));
     m_model->measure(m_timeline, m_plots);
-    const int rows = std::min(m_model->rowCount(), kMostRows);
+    const double room = kMostHeight * parentWidget()->height();
+    const int fitting =
+        std::clamp(static_cast<int>(room / m_table->verticalHeader()->defaultSectionSize()),
+                   kFewestRows, kMostRows);
+    const int rows = std::min(m_model->rowCount(), fitting);
     m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height()
                             + rows * m_table->verticalHeader()->defaultSectionSize() + 2);
 }

@@ -35,8 +35,9 @@ void CurveChip::setCurve(const CurveSpec& curve)
     m_title = index < 0 ? curve.key : titleOf(streams()[static_cast<std::size_t>(index)]);
     setChecked(curve.isVisible);
     setAccessibleName(m_title);
-    setToolTip(tr("Click to show or hide, drag to another plot, right button for colour, width "
-                  "and more"));
+    setToolTip(m_title + u'\n'
+               + tr("Click to show or hide, drag to another plot, right button for colour, width "
+                    "and more"));
     updateGeometry();
     update();
 }
@@ -64,6 +65,12 @@ QSize CurveChip::sizeHint() const
             std::max(kHeight, name.height() + 4)};
 }
 
+QSize CurveChip::minimumSizeHint() const
+{
+    constexpr int kLetters = 24;
+    return {2 * kPadding + kSwatch + kGap + kLetters, sizeHint().height()};
+}
+
 void CurveChip::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -86,16 +93,23 @@ void CurveChip::paintTo(QPainter& painter) const
     painter.setPen(isShown ? QPen(colour, m_curve.width + 1.4, Qt::SolidLine, Qt::RoundCap)
                            : QPen(theme::colour(ColourRole::Stale), 1.0, Qt::DotLine));
     painter.drawLine(QPointF(kPadding + 1, middle), QPointF(kPadding + kSwatch - 1, middle));
+    // Where there is little room the value goes first, then the end of the name.
     QFont font = theme::font(1.0);
     font.setStrikeOut(!isShown);
+    const QFont digits = theme::font(1.0, true);
+    const QFontMetricsF metrics(font);
+    const QRectF room = box.adjusted(kPadding + kSwatch + kGap, 0, -kPadding, 0);
+    const double value = kGap + QFontMetricsF(digits).horizontalAdvance(m_widest);
+    const bool showsValue = isShown && !m_value.isEmpty()
+        && metrics.horizontalAdvance(m_title) + value <= room.width() + 2.0;
     painter.setFont(font);
     painter.setPen(theme::colour(isShown ? ColourRole::Text : ColourRole::Stale));
-    const QRectF name = box.adjusted(kPadding + kSwatch + kGap, 0, -kPadding, 0);
-    painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter, m_title);
-    if (isShown && !m_value.isEmpty()) {
-        painter.setFont(theme::font(1.0, true));
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(m_title, Qt::ElideRight, room.width() + 2.0));
+    if (showsValue) {
+        painter.setFont(digits);
         painter.setPen(colour);
-        painter.drawText(name, Qt::AlignRight | Qt::AlignVCenter, m_value);
+        painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, m_value);
     }
 }
 

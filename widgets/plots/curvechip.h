@@ -23,7 +23,7 @@ public:
 
     void paintTo(QPainter& painter) const; ///< as it looks at rest: for pictures
     [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override; ///< the line and a letter or two
 
 signals:
     // Dragging is ours and not QDrag's, whose own event loop would keep Escape from stopping.
