@@ -10,6 +10,7 @@
 #include "widgets/motors/motorspanel.h"
 #include "widgets/packets/packetspanel.h"
 #include "widgets/parameters/parameterspanel.h"
+#include "widgets/plots/plotspanel.h"
 #include "widgets/status/statuspanel.h"
 
 #include <QCoreApplication>
@@ -33,6 +34,7 @@ constexpr std::array kPanels {
     PanelRow {.id = "status",      .title = QT_TRANSLATE_NOOP("Panels", "Status"),         .icon = "status",     .area = Qt::LeftDockWidgetArea,   .order = 0, .make = make<StatusPanel>},
     PanelRow {.id = "motors",      .title = QT_TRANSLATE_NOOP("Panels", "Motors"),         .icon = "motor",      .area = Qt::LeftDockWidgetArea,   .order = 1, .make = make<MotorsPanel>},
     PanelRow {.id = "currents",    .title = QT_TRANSLATE_NOOP("Panels", "Motor currents"), .icon = "currents",   .area = Qt::TopDockWidgetArea,    .order = 0, .make = make<CurrentsPanel>},
+    PanelRow {.id = "plots",       .title = QT_TRANSLATE_NOOP("Panels", "Plots"),          .icon = "plots",      .area = Qt::TopDockWidgetArea,    .order = 0, .make = make<PlotsPanel>},
     PanelRow {.id = "parameters",  .title = QT_TRANSLATE_NOOP("Panels", "Parameters"),     .icon = "parameters", .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<ParametersPanel>},
     PanelRow {.id = "packets",     .title = QT_TRANSLATE_NOOP("Panels", "Packets"),        .icon = "packets",    .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<PacketsPanel>},
     PanelRow {.id = "log",         .title = QT_TRANSLATE_NOOP("Panels", "Log"),            .icon = "log",        .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<LogPanel>},

@@ -11,7 +11,7 @@ namespace {
 sim::Trace traceOf(const TimeSeries& series, Instant start)
 {
     sim::Trace trace;
-    for (std::size_t i = 0; i < series.size(); ++i) {
+    for (std::size_t i = series.first(); i < series.size(); ++i) {
         const auto raw = static_cast<std::uint16_t>(series.value(i));
         if (trace.points.empty() || trace.points.back().second != raw) {
             const std::chrono::duration<double> since = series.time(i) - start;

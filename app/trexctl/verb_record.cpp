@@ -21,6 +21,8 @@ namespace trex {
 namespace {
 
 constexpr int kJointMode = 1; // parameter 0x7B (facts.md 2)
+constexpr std::size_t kHistoryBytes = 64U
+    << 20U; // samples leave the memory once they are in the file
 constexpr std::chrono::seconds kProgressInterval{1};
 constexpr std::chrono::seconds kProgressIntervalInLog{10};
 
@@ -102,6 +104,7 @@ protected:
             session.warn(Cli::tr("Joint motor mode: the controller measures no currents, so they "
                                  "are left out."));
         }
+        m_store.setMemoryLimit(kHistoryBytes);
         m_recorder = std::make_unique<SessionRecorder>(session.controller(), m_store);
         QObject::connect(m_recorder.get(), &SessionRecorder::failed, &session,
                          [this, &session](const Error& error) {

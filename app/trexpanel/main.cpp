@@ -6,6 +6,7 @@
 #include "app/trexpanel/paneloptions.h"
 #include "app/trexpanel/program.h"
 #include "protocol/errortext.h"
+#include "protocol/transport/laststop.h"
 
 #include <QApplication>
 #include <QLocale>
@@ -24,6 +25,7 @@ int main(int argc, char* argv[])
     prepareEnvironment(options);
     installLogging(options.verbosity);
 
+    laststop::installCrashHandlers();
     QApplication app(argc, argv);
     QApplication::setApplicationName(QStringLiteral("trexpanel"));
     QApplication::setApplicationDisplayName(QStringLiteral("TReX Panel"));
@@ -35,7 +37,11 @@ int main(int argc, char* argv[])
     QLocale::setDefault(QLocale::c()); // figures look the same everywhere: a point, no grouping
 
     Program program(options);
+#ifdef SIGHUP
+    SignalWatcher signalWatcher{SIGINT, SIGTERM, SIGHUP};
+#else
     SignalWatcher signalWatcher{SIGINT, SIGTERM};
+#endif
     QObject::connect(&signalWatcher, &SignalWatcher::received, &program, &Program::quit);
     if (const Result<void> started = program.start(); !started) {
         printMessage(QStringLiteral("trexpanel: ") + errorText(started.error()));

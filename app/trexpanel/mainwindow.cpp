@@ -7,6 +7,7 @@
 #include "app/trexpanel/linkstatusbar.h"
 #include "app/trexpanel/menus.h"
 #include "app/trexpanel/paneldocks.h"
+#include "app/trexpanel/stopkey.h"
 #include "protocol/session/controller.h"
 #include "widgets/common/uisettings.h"
 #include "widgets/common/whyline.h"
@@ -16,7 +17,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QKeyEvent>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QTimer>
@@ -55,7 +55,7 @@ MainWindow::MainWindow(PanelContext& context, Recordings& recordings, const QStr
     makeMenus(theme, language);
     m_docks->restore(context.settings.value(settings::kGeometry),
                      context.settings.value(settings::kLayout));
-    qApp->installEventFilter(this); // Esc, from anywhere
+    new StopKey(context.controller, this); // Esc, from anywhere
 }
 
 void MainWindow::makeTop()
@@ -65,10 +65,11 @@ void MainWindow::makeTop()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     m_commandBar = new CommandBar(m_context, top);
-    auto* why = named(new WhyLine(m_context.controller, m_context.log, top), u"why"_s);
+    auto* why = named(new WhyLine(m_context, top), u"why"_s);
     layout->addWidget(m_commandBar);
     layout->addWidget(why);
     connect(why, &WhyLine::connectRequested, m_commandBar, &CommandBar::connectToLast);
+    connect(why, &WhyLine::panelRequested, this, &MainWindow::bringForward);
     connect(m_commandBar, &CommandBar::connectionWanted, this,
             [this] { bringForward(idOf(panels().front())); });
 
@@ -147,17 +148,6 @@ bool MainWindow::event(QEvent* event)
         QTimer::singleShot(0, this, &MainWindow::firstFramePainted); // after the panels' own
     }
     return handled;
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::KeyPress && watched->isWindowType()) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
-            m_context.controller.stop(); // and the key goes on: a dialog closes by it too
-        }
-    }
-    return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -46,11 +46,13 @@ Program::Program(PanelOptions options)
     , m_settings(m_file)
     , m_controller(&m_store, &m_latch)
     , m_deviceSettings(m_controller)
+    , m_timeoutWatch(m_controller, m_deviceSettings)
+    , m_safety(m_controller, m_store, m_settings)
     , m_journal(journalPath(m_file.path()))
     , m_audit(m_controller, m_deviceSettings, m_journal, WriteAudit::WhenUnsaved::RefuseOnce)
     , m_markKeeper(m_marks, m_controller, m_latch, m_deviceSettings)
-    , m_context{m_controller, m_deviceSettings, m_store,  m_latch,  m_log,        m_settings,
-                m_ticker,     m_fileDialogs,    &m_audit, &m_marks, &m_references}
+    , m_context{m_controller, m_deviceSettings, m_store, m_latch, m_log, m_settings,
+                m_ticker, m_fileDialogs, &m_audit, &m_marks, &m_references, &m_timeoutWatch}
     , m_recordings(
           m_context,
           {{QString::fromLatin1(recordingfact::kProgram), u"trexpanel"_s},
@@ -60,6 +62,7 @@ Program::Program(PanelOptions options)
     connect(&m_patience, &QTimer::timeout, this, &Program::finish);
     connect(&m_controller, &Controller::stateChanged, this, &Program::onStateChanged);
     logEvents();
+    limitHistory();
 }
 
 Program::~Program() = default;
@@ -73,6 +76,30 @@ void Program::logEvents()
         m_log.add(EventLog::Warning, errorText(*problem));
     }
     logWire(m_controller, m_options.verbosity);
+}
+
+/// The oldest samples leave the memory beyond the ceiling that the person has set; told once.
+void Program::limitHistory()
+{
+    const auto apply = [this] {
+        const int mib =
+            std::max(m_settings.value(settings::kHistoryMiB), settings::kLeastHistoryMiB);
+        m_store.setMemoryLimit(std::size_t(mib) << 20U);
+    };
+    apply();
+    connect(&m_settings, &UiSettings::changed, this, [apply](const QString& key) {
+        if (key == settings::kHistoryMiB.key) {
+            apply();
+        }
+    });
+    connect(&m_controller, &Controller::batchArrived, this, [this] {
+        if (m_store.hasDropped() && !std::exchange(m_isDropTold, true)) {
+            m_log.add(EventLog::Warning,
+                      tr("The memory for the history of this session (%1 MiB) is full. From now on "
+                         "its oldest part is only in a recording, if one runs.")
+                          .arg(m_store.memoryLimit() >> 20U));
+        }
+    });
 }
 
 Result<void> Program::prepareScript()
@@ -162,9 +189,7 @@ void Program::chooseLanguage(const QString& code)
     if (code == m_languages.inUse()) {
         return;
     }
-    if (m_controller.isArmed()) {
-        m_controller.disarm();
-    }
+    m_controller.disarm(DisarmReason::LanguageSwitch);
     m_window->saveLayout();
     m_window->hide();
     m_window.release()->deleteLater(); // one of its menus is still calling

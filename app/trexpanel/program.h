@@ -3,10 +3,12 @@
 
 #include "app/trexpanel/languages.h"
 #include "app/trexpanel/paneloptions.h"
+#include "app/trexpanel/safetywatch.h"
 #include "protocol/procedures/markkeeper.h"
 #include "protocol/procedures/writeaudit.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/devicesettings.h"
+#include "protocol/session/serialtimeoutwatch.h"
 #include "protocol/telemetry/plotreferences.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -46,6 +48,7 @@ private:
     [[nodiscard]] Result<void> prepareScript();
     [[nodiscard]] Result<OpenOptions> lineAtStart();
     void logEvents();
+    void limitHistory();
     void makeWindow();
     void chooseTheme(const QString& key);
     void chooseLanguage(const QString& code);
@@ -61,6 +64,8 @@ private:
     StatusLatch m_latch;
     Controller m_controller;
     DeviceSettings m_deviceSettings;
+    SerialTimeoutWatch m_timeoutWatch;
+    SafetyWatch m_safety;
     Journal m_journal;
     WriteAudit m_audit;
     MarkTrack m_marks;
@@ -76,6 +81,7 @@ private:
     std::unique_ptr<MainWindow> m_window; ///< last: its panels use all of the above
     QTimer m_patience; ///< how long closing the line may take
     QString m_theme; ///< key in force
+    bool m_isDropTold = false; ///< that the oldest samples have left the memory
     bool m_isQuitting = false;
 };
 

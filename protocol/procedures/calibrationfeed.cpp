@@ -50,6 +50,7 @@ void StoreFeed::onBatch()
         m_next = 0;
     }
     const auto& first = m_store.series(kStreamKeys.front());
+    m_next = std::max(m_next, first.first());
     for (; m_isWanting && m_next < first.size(); ++m_next) {
         PollSample sample{PollId::RawChannels, {}, first.time(m_next)};
         for (std::size_t i = 0; i < kStreamKeys.size(); ++i) {

@@ -41,14 +41,12 @@ public:
     [[nodiscard]] const LinkStats& stats() const { return m_stats; }
     [[nodiscard]] const DeviceInfo& device() const { return m_device; }
     [[nodiscard]] Model model() const; ///< TReX Jr until a signature says otherwise
-
     /// Asks. The handler runs on the main thread, once, unless `context` dies before. Motor
     /// commands are refused here (BadCommand): they go through the gate below.
     void request(const Command& command, QObject* context, ReplyHandler handler);
     /// Bytes as given; waits for `replyBytes` (CRC byte not counted). Refused with Disarmed when
     /// the bytes hold a motor command and the gate is closed.
     void requestRaw(const QByteArray& bytes, int replyBytes, QObject* context, ReplyHandler then);
-
     /// What a panel wants polled, in Hz (0: nothing). Panels' wishes add up to the highest.
     void want(const QObject* who, PollId poll, double hertz);
     void wantNothing(const QObject* who);

@@ -22,6 +22,7 @@ struct MotionFacts {
     StopProgress stop = StopProgress::None; ///< of a stop of the last seconds
     std::array<MotorOrder, 3> orders{};
     std::array<MotorOrder, 3> sent{};
+    bool isSettled = false; ///< the orders stand for a second: currents have followed them
     bool isRampingDown = false; ///< by the stall guard
     bool isProving = false; ///< the watchdog proof is silent on purpose
     std::optional<Mode> mode;
@@ -41,7 +42,7 @@ struct MotionFacts {
 namespace motionfacts {
 
 // Command documentation, 0x84 and 0x85.
-inline constexpr std::uint8_t kOverCurrent = 0xA0;
+inline constexpr std::uint8_t kOverCurrent = 0x80 | 0x20;
 inline constexpr std::uint8_t kMotor1OverCurrent = 0x20;
 inline constexpr std::uint8_t kDriverFault = 0x50;
 inline constexpr std::uint8_t kMotor1Fault = 0x10;

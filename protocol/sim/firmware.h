@@ -8,6 +8,7 @@
 #include "protocol/sim/factory.h"
 #include "protocol/sim/motordrive.h"
 #include "protocol/sim/packetreader.h"
+#include "protocol/sim/senttally.h"
 #include "protocol/sim/simoptions.h"
 #include "protocol/sim/wire.h"
 
@@ -76,6 +77,7 @@ public:
     [[nodiscard]] std::uint8_t uartErrorByte() const { return m_uartError; }
     [[nodiscard]] const std::deque<HeardPacket>& heard() const { return m_heard; }
     void clearHeard() { m_heard.clear(); }
+    [[nodiscard]] const SentTally& sent() const { return m_sent; }
 
 private:
     static std::size_t index(int oneBased) { return static_cast<std::size_t>(oneBased - 1); }
@@ -140,6 +142,7 @@ private:
     Instant m_sendEnd;
     std::vector<Reply> m_replies;
     std::deque<HeardPacket> m_heard;
+    SentTally m_sent;
 };
 
 } // namespace trex::sim

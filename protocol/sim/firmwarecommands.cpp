@@ -260,6 +260,7 @@ void Firmware::answer(std::uint8_t byte, Instant ready)
 
 void Firmware::answer(QByteArrayView bytes, Instant ready)
 {
+    m_sent.add(m_reader.command(), bytes);
     const bool pauses =
         m_version.minor == 1 || (m_version.minor > 1 && inForce(kResponseDelay) != 0);
     Reply reply;

@@ -47,7 +47,7 @@ Result<std::size_t> exportCurrentsCsv(const QString& path, const TelemetryStore&
     }
     const TimeSeries& motor1 = store.series("motor1-current");
     const TimeSeries& motor2 = store.series("motor2-current");
-    std::size_t begin = 0;
+    std::size_t begin = motor1.first();
     std::size_t end = motor1.size();
     if (range) {
         std::tie(begin, end) = motor1.range(range->from, range->to);

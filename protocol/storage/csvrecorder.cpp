@@ -5,17 +5,31 @@
 
 #include <QCoreApplication>
 
+#include <limits>
+
 namespace trex {
 
 namespace {
 constexpr std::chrono::milliseconds kFlushInterval(500);
 }
 
-CsvRecorder::CsvRecorder(const TelemetryStore& store) : m_store(store) { }
+CsvRecorder::CsvRecorder(const TelemetryStore& store) : m_store(store)
+{
+    store.addHolder(*this);
+}
 
 CsvRecorder::~CsvRecorder()
 {
     stop();
+    m_store.removeHolder(*this);
+}
+
+std::size_t CsvRecorder::firstNeeded(Source source) const
+{
+    if (!isRecording() || !(source == PollId::Currents)) {
+        return std::numeric_limits<std::size_t>::max();
+    }
+    return m_clears == m_store.clears() ? m_next : 0;
 }
 
 Result<void> CsvRecorder::start(const QString& path, double amperesPerCount)

@@ -13,10 +13,10 @@ namespace trex {
 /// Appends the currents to a CSV file as they come, from the moment of its start, and hands them to
 /// the system at least once a second, so that a crash costs no more than that. Main thread; the
 /// owner calls pump() now and then (each frame).
-class CsvRecorder {
+class CsvRecorder : public SampleHolder {
 public:
     explicit CsvRecorder(const TelemetryStore& store);
-    ~CsvRecorder();
+    ~CsvRecorder() override;
     Q_DISABLE_COPY_MOVE(CsvRecorder)
 
     /// Begins a new file. Error: FileUnwritable, with the path and the cause.
@@ -28,6 +28,7 @@ public:
     [[nodiscard]] bool isRecording() const { return m_file.isOpen(); }
     [[nodiscard]] QString path() const { return m_file.fileName(); }
     [[nodiscard]] std::size_t samples() const { return m_samples; } ///< written to this file
+    [[nodiscard]] std::size_t firstNeeded(Source source) const override;
 
 private:
     [[nodiscard]] Result<void> writeNew();

@@ -129,6 +129,7 @@ void FlightRecorder::onBatch()
         {{"status", kFaults}, {"uart-errors", kUartFaults}}};
     for (std::size_t i = 0; i < watched.size(); ++i) {
         const TimeSeries& series = m_store.series(watched[i].first);
+        m_nextStatus[i] = std::max(m_nextStatus[i], series.first());
         for (; m_nextStatus[i] < series.size(); ++m_nextStatus[i]) {
             // Reading clears the bits: each one that is set happened since the read before.
             isFault = isFault || (series.value(m_nextStatus[i]) & watched[i].second) != 0;
@@ -162,7 +163,7 @@ void FlightRecorder::freeze(const QString& reason)
     if (!m_policy.isEnabled || m_policy.folder.isEmpty() || isTooSoon) {
         return;
     }
-    m_lastFreeze = now;
+    m_lastFreeze.emplace(now); // as an assignment it is a dangling pointer to GCC 12 at -O3
     m_reason = reason;
     m_after.start(m_policy.after);
 }

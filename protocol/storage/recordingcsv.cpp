@@ -69,6 +69,7 @@ public:
             m_rows.push_back(&streams()[std::size_t(stream)]);
         }
         if (!m_series.empty()) {
+            m_next = m_series.front()->first();
             m_end = m_series.front()->size();
             if (options.range) {
                 std::tie(m_next, m_end) =

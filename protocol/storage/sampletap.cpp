@@ -1,9 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/sampletap.h"
 
+#include <limits>
+#include <utility>
+
 namespace trex {
 
 SampleTap::SampleTap(const TelemetryStore& store) : m_store(store), m_clears(store.clears()) { }
+
+SampleTap::~SampleTap()
+{
+    stop();
+}
+
+void SampleTap::stop()
+{
+    if (std::exchange(m_isHolding, false)) {
+        m_store.removeHolder(*this);
+    }
+}
+
+std::size_t SampleTap::firstNeeded(Source source) const
+{
+    if (m_clears != m_store.clears()) {
+        return 0; // cleared since: all is new
+    }
+    const auto id = source.index();
+    return m_wanted[id] ? m_next[id] : std::numeric_limits<std::size_t>::max();
+}
 
 void SampleTap::startNow()
 {
@@ -13,6 +37,10 @@ void SampleTap::startNow()
 void SampleTap::startAt(Instant from)
 {
     m_clears = m_store.clears();
+    m_wanted.fill(true);
+    if (!std::exchange(m_isHolding, true)) {
+        m_store.addHolder(*this);
+    }
     for (const SourceRow& row : kSources) {
         const auto& columns = streamsOf(row.source);
         if (columns.empty()) {
@@ -30,6 +58,7 @@ std::size_t SampleTap::take(const Wanted& wanted, Tick origin, std::size_t most,
         m_clears = m_store.clears();
         m_next = {};
     }
+    m_wanted = wanted;
     std::size_t taken = 0;
     for (const SourceRow& row : kSources) {
         const auto id = row.source.index();
@@ -38,7 +67,7 @@ std::size_t SampleTap::take(const Wanted& wanted, Tick origin, std::size_t most,
             continue;
         }
         const TimeAxis& axis = m_store.series(columns.front()).axis();
-        const std::size_t begin = m_next[id];
+        const std::size_t begin = std::max(m_next[id], axis.first());
         const std::size_t end = std::min(axis.size(), begin + most);
         SampleRun& run = runs[id];
         const auto& gaps = axis.gaps();

@@ -200,6 +200,7 @@ void SessionRecorder::stop()
     m_pending.facts[QString::fromLatin1(recordingfact::kEndedTick)] =
         QString::number(TimeAxis::ticksOf(clockNow()) - m_origin);
     write(takePending());
+    m_tap.stop();
     m_isRecording = false;
     m_timer.stop();
     m_thread.finish([this, generation = m_generation](const Result<void>& done) {
@@ -221,6 +222,7 @@ void SessionRecorder::onFailure(const Error& error)
         return;
     }
     m_isRecording = false;
+    m_tap.stop();
     m_timer.stop();
     m_pending = {};
     emit failed(error);

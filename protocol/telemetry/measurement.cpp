@@ -47,7 +47,7 @@ std::optional<std::size_t> sampleAt(const TimeSeries& series, Instant time)
     std::size_t chosen = after;
     if (after < series.size() && series.axis().tick(after) == wanted) {
         chosen = after;
-    } else if (after == 0) {
+    } else if (after == series.first()) {
         return std::nullopt;
     } else if (after == series.size()) {
         if (time - series.time(after - 1) > kFresh) {

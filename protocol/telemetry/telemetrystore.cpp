@@ -3,6 +3,8 @@
 
 #include "protocol/telemetry/streamtable.h"
 
+#include <algorithm>
+
 namespace trex {
 
 namespace {
@@ -53,6 +55,9 @@ void TelemetryStore::append(Source source, std::span<const std::uint16_t> raw, I
         const StreamRow& row = streams()[std::size_t(index)];
         m_series[std::size_t(index)]->append(storedFromRaw(row, raw[std::size_t(row.field)]));
     }
+    if (m_memoryLimit > 0 && m_axes[source.index()]->size() % kChunkSize == 1) {
+        keepToLimit(); // memory grows with the first sample of a chunk only
+    }
 }
 
 void TelemetryStore::markGap(Instant)
@@ -73,6 +78,59 @@ void TelemetryStore::markGap(Source source)
     ++m_revision;
 }
 
+void TelemetryStore::setMemoryLimit(std::size_t bytes)
+{
+    m_memoryLimit = bytes;
+    keepToLimit();
+}
+
+void TelemetryStore::addHolder(const SampleHolder& holder) const
+{
+    m_holders.push_back(&holder);
+}
+
+void TelemetryStore::removeHolder(const SampleHolder& holder) const
+{
+    std::erase(m_holders, &holder);
+}
+
+/// That whose oldest chunk ends first, so that all streams begin at about the same time; none while
+/// a holder needs it.
+std::optional<Source> TelemetryStore::sourceToDropFrom() const
+{
+    std::optional<Source> oldest;
+    for (const SourceRow& row : kSources) {
+        const TimeAxis& axis = *m_axes[row.source.index()];
+        if (axis.chunks() > 1
+            && (!oldest || axis.secondChunkTick() < m_axes[oldest->index()]->secondChunkTick())) {
+            oldest = row.source;
+        }
+    }
+    const auto needs = [&](const SampleHolder* holder) {
+        return holder->firstNeeded(*oldest) < m_axes[oldest->index()]->first() + kChunkSize;
+    };
+    if (oldest && std::any_of(m_holders.begin(), m_holders.end(), needs)) {
+        oldest.reset();
+    }
+    return oldest;
+}
+
+void TelemetryStore::keepToLimit()
+{
+    while (m_memoryLimit > 0 && memoryBytes() > m_memoryLimit) {
+        const auto source = sourceToDropFrom();
+        if (!source) {
+            return;
+        }
+        for (const int index : m_streamsOf[source->index()]) {
+            m_series[std::size_t(index)]->dropChunk();
+        }
+        m_axes[source->index()]->dropChunk();
+        m_hasDropped = true;
+        ++m_revision;
+    }
+}
+
 void TelemetryStore::clear()
 {
     for (const auto& axis : m_axes) {
@@ -82,6 +140,7 @@ void TelemetryStore::clear()
         series->clear();
     }
     m_start.reset();
+    m_hasDropped = false;
     ++m_clears;
     ++m_revision;
 }
@@ -105,6 +164,21 @@ const PollSample* TelemetryStore::latest(PollId poll) const
 std::optional<Instant> TelemetryStore::start() const
 {
     return m_start;
+}
+
+std::optional<Instant> TelemetryStore::oldest() const
+{
+    if (!m_hasDropped) {
+        return m_start;
+    }
+    std::optional<Instant> oldest;
+    for (const auto& axis : m_axes) {
+        if (axis->size() > 0) {
+            const Instant time = axis->time(axis->first());
+            oldest = std::min(oldest.value_or(time), time);
+        }
+    }
+    return oldest;
 }
 
 std::size_t TelemetryStore::memoryBytes() const

@@ -42,18 +42,26 @@ void TimeAxis::markGap()
     m_gapPending = true;
 }
 
+void TimeAxis::dropChunk()
+{
+    m_chunks.erase(m_chunks.begin());
+    m_first += kChunkSize;
+    m_gaps.erase(m_gaps.begin(), std::lower_bound(m_gaps.begin(), m_gaps.end(), m_first));
+}
+
 void TimeAxis::clear()
 {
     m_chunks.clear();
     m_gaps.clear();
     m_size = 0;
+    m_first = 0;
     m_last = 0;
     m_gapPending = false;
 }
 
 TimeAxis::Tick TimeAxis::tick(std::size_t index) const
 {
-    const Chunk& chunk = m_chunks[index / kChunkSize];
+    const Chunk& chunk = m_chunks[(index - m_first) / kChunkSize];
     return chunk.base + (Tick((*chunk.deltas)[index % kChunkSize]) << chunk.shift);
 }
 
@@ -79,21 +87,22 @@ std::size_t TimeAxis::chunkOf(Tick wanted, std::size_t hint) const
 
 std::size_t TimeAxis::lowerBound(Tick wanted, std::size_t hint) const
 {
-    if (m_size == 0 || wanted <= m_chunks.front().base) {
-        return 0;
+    if (m_chunks.empty() || wanted <= m_chunks.front().base) {
+        return m_first;
     }
     if (wanted > m_last) {
         return m_size;
     }
-    const std::size_t index = chunkOf(wanted, hint / kChunkSize);
+    const std::size_t index = chunkOf(wanted, (std::max(hint, m_first) - m_first) / kChunkSize);
     const Chunk& chunk = m_chunks[index];
     const auto& deltas = *chunk.deltas;
-    const std::size_t used = std::min(kChunkSize, m_size - index * kChunkSize);
+    const std::size_t before = m_first + index * kChunkSize;
+    const std::size_t used = std::min(kChunkSize, m_size - before);
     const Tick offset = wanted - chunk.base; // > 0
     const Tick rounded = (offset + (Tick(1) << chunk.shift) - 1) >> chunk.shift;
     const Tick span = deltas[used - 1];
     if (rounded > span) {
-        return index * kChunkSize + used;
+        return before + used;
     }
     const auto target = static_cast<std::uint32_t>(rounded);
     // Polls are nearly regular: guess by proportion, then gallop from there.
@@ -119,7 +128,7 @@ std::size_t TimeAxis::lowerBound(Tick wanted, std::size_t hint) const
     const auto begin = deltas.begin();
     const auto found = std::lower_bound(begin + static_cast<std::ptrdiff_t>(low),
                                         begin + static_cast<std::ptrdiff_t>(high), target);
-    return index * kChunkSize + static_cast<std::size_t>(found - begin);
+    return before + static_cast<std::size_t>(found - begin);
 }
 
 bool TimeAxis::hasGapBetween(std::size_t before, std::size_t after) const

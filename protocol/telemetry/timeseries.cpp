@@ -57,6 +57,12 @@ void TimeSeries::append(std::uint16_t value)
     }
 }
 
+void TimeSeries::dropChunk()
+{
+    std::visit([](auto& values) { values.dropChunk(); }, m_values);
+    m_areas.erase(m_areas.begin());
+}
+
 void TimeSeries::clear()
 {
     std::visit([](auto& values) { values.clear(); }, m_values);
@@ -104,6 +110,7 @@ std::optional<double> TimeSeries::mean(std::size_t begin, std::size_t end) const
 
 std::uint64_t TimeSeries::doubleArea(std::size_t begin, std::size_t end) const
 {
+    begin = std::max(begin, first());
     return begin + 1 < end ? doubleAreaTo(end - 1) - doubleAreaTo(begin) : 0;
 }
 
@@ -113,11 +120,12 @@ std::uint64_t TimeSeries::doubleAreaTo(std::size_t sample) const
     if (sample + 1 >= size()) {
         return m_area;
     }
-    const std::size_t first = sample / kChunkSize * kChunkSize;
-    std::uint64_t area = m_areas[sample / kChunkSize];
+    const std::size_t chunk = (sample - first()) / kChunkSize;
+    const std::size_t begin = first() + chunk * kChunkSize;
+    std::uint64_t area = m_areas[chunk];
     const std::vector<std::size_t>& gaps = m_axis.gaps();
-    auto gap = std::upper_bound(gaps.begin(), gaps.end(), first);
-    for (std::size_t i = first + 1; i <= sample; ++i) {
+    auto gap = std::upper_bound(gaps.begin(), gaps.end(), begin);
+    for (std::size_t i = begin + 1; i <= sample; ++i) {
         const bool hasGap = gap != gaps.end() && *gap == i;
         if (hasGap) {
             ++gap;

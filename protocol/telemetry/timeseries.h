@@ -23,7 +23,7 @@ struct PlotColumn {
     Extent extent;
 };
 
-/// The samples of one stream: raw values beside the times of its poll. Append-only; what was
+/// The samples of one stream: raw values beside the times of its source. Append-only; what was
 /// written never moves, so that readers on the same thread look without copying. Values are stored
 /// numbers; the stream table says what they mean.
 class TimeSeries {
@@ -33,10 +33,14 @@ public:
     TimeSeries(const TimeAxis& axis, ValueWidth width, std::optional<std::uint16_t> invalid = {});
 
     void append(std::uint16_t value); ///< the value at the axis' latest time
+    void dropChunk(); ///< the oldest one, with the axis'
     void clear();
 
     [[nodiscard]] const TimeAxis& axis() const { return m_axis; }
+    /// One past the newest sample. Indices stay when the oldest samples leave: those of
+    /// [first(), size()) are there.
     [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] std::size_t first() const { return m_axis.first(); }
     [[nodiscard]] bool isEmpty() const { return size() == 0; }
     [[nodiscard]] int value(std::size_t index) const;
     [[nodiscard]] bool isValid(std::size_t index) const;

@@ -36,7 +36,7 @@ bool Trigger::advance(const TimeSeries& series, const ValueScale& scale, Instant
     const State before = m_state;
     bool found = false;
     std::size_t i = m_seen ? series.axis().lowerBound(TimeAxis::ticksOf(*m_seen) + 1)
-                           : 0; // a sample at the moment of arming was there before
+                           : series.first(); // a sample at the moment of arming was there before
     if (m_state == State::Holding) {
         i = series.size();
     }

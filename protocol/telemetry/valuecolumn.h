@@ -24,6 +24,7 @@ struct Extent {
 
 /// Values of one stream, as small as they are (T is 8 or 16 bits wide), in chunks, with a min/max
 /// pyramid of factor 8 beside them and running sums for means. Append-only; constant time each.
+/// Whole chunks may leave at the front; what is asked of them then is empty.
 template <class T>
 class ValueColumn {
     static_assert(std::is_unsigned_v<T> && sizeof(T) <= 2);
@@ -42,7 +43,7 @@ public:
         const std::size_t place = m_size % kChunkSize;
         if (place == 0) {
             m_chunks.push_back(std::make_unique_for_overwrite<Chunk>());
-            const Total before = m_totals.empty() ? Total{} : m_totals.back();
+            const Total before = m_totals.empty() ? m_before : m_totals.back();
             m_totals.push_back(
                 {std::numeric_limits<T>::max(), 0, before.sum, before.squares, before.valid});
         }
@@ -68,17 +69,27 @@ public:
         ++m_size;
     }
 
+    void dropChunk() ///< the oldest one; indices stay what they were
+    {
+        m_before = m_totals.front();
+        m_chunks.erase(m_chunks.begin());
+        m_totals.erase(m_totals.begin());
+        m_first += kChunkSize;
+    }
+
     void clear()
     {
         m_chunks.clear();
         m_totals.clear();
+        m_before = {};
         m_size = 0;
+        m_first = 0;
     }
 
     [[nodiscard]] std::size_t size() const { return m_size; }
     [[nodiscard]] T at(std::size_t index) const
     {
-        return m_chunks[index / kChunkSize]->values[index % kChunkSize];
+        return m_chunks[(index - m_first) / kChunkSize]->values[index % kChunkSize];
     }
     [[nodiscard]] bool isValid(std::size_t index) const { return at(index) != m_invalid; }
 
@@ -86,6 +97,7 @@ public:
     [[nodiscard]] Extent extent(std::size_t begin, std::size_t end) const
     {
         Extent result;
+        begin = begin < m_first ? m_first : begin;
         while (begin < end) {
             int level = begin == 0 ? kLevels : std::countr_zero(begin) / 3;
             level = level > kLevels ? kLevels : level;
@@ -107,6 +119,7 @@ public:
     /// each end is walked.
     [[nodiscard]] Sum sum(std::size_t begin, std::size_t end) const
     {
+        begin = begin < m_first ? m_first : begin;
         if (begin >= end) {
             return {};
         }
@@ -140,7 +153,7 @@ private:
 
     void addEntry(Extent& result, int level, std::size_t begin) const
     {
-        const std::size_t chunkIndex = begin / kChunkSize;
+        const std::size_t chunkIndex = (begin - m_first) / kChunkSize;
         if (level == kLevels) {
             const Total& total = m_totals[chunkIndex];
             addPair(result, total.low, total.high);
@@ -165,13 +178,10 @@ private:
     }
     [[nodiscard]] Sum sumBefore(std::size_t end) const
     {
-        const std::size_t chunkIndex = end / kChunkSize;
-        Sum result;
-        if (chunkIndex > 0) {
-            const Total& before = m_totals[chunkIndex - 1];
-            result = {before.sum, before.squares, before.valid};
-        }
-        for (std::size_t i = chunkIndex * kChunkSize; i < end; ++i) {
+        const std::size_t chunkIndex = (end - m_first) / kChunkSize;
+        const Total& before = chunkIndex > 0 ? m_totals[chunkIndex - 1] : m_before;
+        Sum result{before.sum, before.squares, before.valid};
+        for (std::size_t i = m_first + chunkIndex * kChunkSize; i < end; ++i) {
             const T value = at(i);
             const bool counts = value != m_invalid;
             result.sum += counts ? value : 0U;
@@ -184,7 +194,9 @@ private:
     int m_invalid;
     std::vector<std::unique_ptr<Chunk>> m_chunks;
     std::vector<Total> m_totals;
+    Total m_before; ///< of the chunk that was dropped last; its sums go on
     std::size_t m_size = 0;
+    std::size_t m_first = 0; ///< of the first chunk
 };
 
 } // namespace trex

@@ -4,99 +4,17 @@
 #include "protocol/codec/packet.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/linkengine.h"
-#include "protocol/sim/simserver.h"
+#include "tests/support/simwitness.h"
 
-#include <QFile>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QSemaphore>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QThread>
 #include <QTimer>
 
 using namespace trex;
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
-
-/// A server on a thread of its own, as another program would be.
-class Server : public QThread {
-public:
-    Server(sim::SimOptions options, QString link, QString log)
-        : m_options(std::move(options)), m_link(std::move(link)), m_log(std::move(log))
-    {
-        start();
-        m_started.acquire();
-    }
-    ~Server() override { end(); }
-    Server(const Server&) = delete;
-    Server& operator=(const Server&) = delete;
-    [[nodiscard]] bool isOk() const { return m_server != nullptr; }
-    void hangUp(double seconds)
-    {
-        QMetaObject::invokeMethod(m_server, [server = m_server, seconds] {
-            sim::Faults faults;
-            faults.hangupFor = seconds;
-            server->line().setFaults(faults, server->virtualNow());
-        });
-    }
-    void end() ///< the log is complete after this
-    {
-        quit();
-        wait();
-    }
-
-protected:
-    void run() override
-    {
-        sim::SimServer server(m_options);
-        if (server.setLogFile(m_log).has_value() && server.listenPty(m_link).has_value()) {
-            m_server = &server;
-        }
-        m_started.release();
-        exec();
-    }
-
-private:
-    sim::SimOptions m_options;
-    QString m_link;
-    QString m_log;
-    QSemaphore m_started;
-    sim::SimServer* m_server = nullptr; ///< on its own thread
-};
-
-struct Record {
-    std::vector<QByteArray> motorPackets; ///< as heard
-    std::array<int, 3> speeds{}; ///< last of each motor
-    std::array<bool, 3> moved{};
-    bool isBad = false; ///< something that the controller could not take
-};
-
-Record readRecord(const QString& path)
-{
-    Record record;
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return record;
-    }
-    while (!file.atEnd()) {
-        const QJsonObject entry = QJsonDocument::fromJson(file.readLine()).object();
-        const QString kind = entry[u"kind"].toString();
-        if (entry[u"event"] == u"output"_s) {
-            const auto motor = static_cast<std::size_t>(entry[u"motor"].toInt() - 1);
-            record.speeds.at(motor) = entry[u"speed"].toInt();
-            record.moved.at(motor) = record.moved.at(motor) || entry[u"speed"].toInt() != 0;
-        } else if (kind == u"motor"_s) {
-            record.motorPackets.push_back(
-                QByteArray::fromHex(entry[u"bytes"].toString().toLatin1()));
-        } else if (kind.startsWith(u"bad"_s)) {
-            record.isBad = true;
-        }
-    }
-    return record;
-}
 
 enum class Exit { Stop, Disarm, Close, Destructor, LostLine };
 enum class Traffic { Set, Accelerate, Polls };
@@ -147,7 +65,7 @@ void TestExitPaths::exit_leavesAllMotorsNeutral()
     options.line.errorDetection = simulated.errorDetection =
         line == 2 ? ErrorDetection::Crc7 : ErrorDetection::None;
     simulated.parameters[0x0E] = simulated.parameters[0x0F] = simulated.parameters[0x10] = 60;
-    Server server(simulated, options.port, log);
+    test::SimWitness server(simulated, options.port, log);
     QVERIFY(server.isOk());
 
     auto controller = std::make_unique<Controller>(nullptr, nullptr);
@@ -209,7 +127,7 @@ void TestExitPaths::exit_leavesAllMotorsNeutral()
     server.end(); // before the façade: its own close would stop the motors once more
     controller.reset();
 
-    const Record record = readRecord(log);
+    const test::SimRecord record = test::readSimRecord(log);
     QVERIFY(!record.isBad);
     QCOMPARE(record.speeds, (std::array{0, 0, 0}));
     QCOMPARE(record.moved, (std::array{drives, drives, drives}));
@@ -220,7 +138,8 @@ void TestExitPaths::exit_leavesAllMotorsNeutral()
     const auto stops = stopCommands(false);
     QVERIFY(record.motorPackets.size() >= stops.size());
     for (std::size_t i = 0; i < stops.size(); ++i) {
-        const auto& heard = record.motorPackets.at(record.motorPackets.size() - stops.size() + i);
+        const auto& heard =
+            record.motorPackets.at(record.motorPackets.size() - stops.size() + i).bytes;
         QCOMPARE(heard, encode(stops.at(i), options.line));
     }
 }

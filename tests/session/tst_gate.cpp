@@ -5,6 +5,7 @@
 #include "protocol/session/controller.h"
 #include "protocol/session/devicesettings.h"
 #include "protocol/session/linkworker.h"
+#include "protocol/session/restartwatch.h"
 #include "protocol/session/serialtimeoutwatch.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -242,6 +243,31 @@ private slots:
         QVERIFY(!bench.log.filter(u"Stall guard: motor 1 drew"_s).isEmpty());
         QTRY_VERIFY(bench.endsInStop());
         QVERIFY2(bench.motorPackets.size() > 8, "a ramp, not a jump");
+    }
+
+    void restartUnderWay_disarms()
+    {
+        Bench bench;
+        const RestartWatch watch(bench.controller, bench.store);
+        bench.controller.want(&bench.context, PollId::Currents, 40.0);
+        QVERIFY(bench.connected(
+            R"({"t":1.5,"set":{"powerCycle":true}},{"t":1.5,"fault":{"silent-for":0.3}})"));
+        QVERIFY(bench.driving());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.controller.isArmed(), 10'000);
+        QCOMPARE(bench.controller.gate().lastDisarming().reason, DisarmReason::Restarted);
+        QTRY_VERIFY(bench.endsInStop());
+    }
+
+    void lostReplies_aloneDoNotDisarm()
+    {
+        Bench bench;
+        const RestartWatch watch(bench.controller, bench.store);
+        bench.controller.want(&bench.context, PollId::Currents, 40.0);
+        QVERIFY(bench.connected(R"({"t":1.0,"fault":{"silent-for":0.3}})"));
+        QVERIFY(bench.driving());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.controller.stats().timeouts > 0, 10'000);
+        QTest::qWait(1000);
+        QVERIFY(bench.controller.isArmed());
     }
 
     void keepAlive_isOftenEnough()

@@ -252,6 +252,7 @@ const std::vector<Row>& rows()
         {"no current", C::NoCurrent, R::Disarm, "inferred",
          [] {
              MotionFacts f = driving();
+             f.isSettled = true;
              f.currents = std::array<std::uint16_t, 2>{};
              return f;
          }},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/csvexport.h"
 #include "protocol/storage/csvrecorder.h"
+#include "protocol/storage/sampletap.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -77,6 +78,7 @@ private slots:
     void recorder_goesOnOverAClear();
     void recorder_endsWhenTheDiskIsFull();
     void recorder_toNowhereSaysWhy();
+    void recorders_areNotRobbedByTheCeiling();
 
 private:
     QTemporaryDir m_folder;
@@ -262,6 +264,50 @@ void TestCsvExport::recorder_toNowhereSaysWhy()
     QVERIFY(!started);
     QCOMPARE(started.error().code, ErrorCode::FileUnwritable);
     QVERIFY(!recorder.isRecording());
+}
+
+/// What they have not taken yet stays, whatever the ceiling.
+void TestCsvExport::recorders_areNotRobbedByTheCeiling()
+{
+    constexpr int kSamples = 200'000;
+    constexpr std::size_t kLimit = 300'000;
+    TelemetryStore store;
+    store.setMemoryLimit(kLimit);
+    CsvRecorder recorder(store);
+    const QString path = m_folder.filePath(QStringLiteral("held.csv"));
+    QVERIFY(recorder.start(path, kJr).has_value());
+    SampleTap tap(store);
+    tap.startNow();
+    SampleTap::Wanted wanted{};
+    wanted[Source(PollId::Currents).index()] = true;
+    std::array<SampleRun, kSourceCount> runs;
+    const auto takeAll = [&] {
+        QVERIFY(recorder.pump(kStart).has_value());
+        tap.take(wanted, 0, kSamples, runs);
+    };
+    for (int i = 0; i < kSamples; ++i) {
+        append(store, i * 12'500us, std::uint16_t(i % 251), 3);
+        if (i == 100 || i == kSamples / 2) { // now and then, as with a slow disk
+            takeAll();
+        }
+    }
+    QVERIFY(store.memoryBytes() > kLimit && store.hasDropped());
+    takeAll();
+    append(store, kSamples * 12'500us, 1, 1);
+    QVERIFY(recorder.stop().has_value());
+    QCOMPARE(contents(path).count('\n'), qsizetype(kSamples + 2)); // header and the last one
+    const SampleRun& run = runs[Source(PollId::Currents).index()];
+    QCOMPARE(run.size(), std::size_t(kSamples));
+    for (int i = 0; i < kSamples; ++i) {
+        if (run.values[std::size_t(i) * 2] != i % 251) {
+            QFAIL("lost or doubled");
+        }
+    }
+    tap.stop();
+    for (int i = 1; i <= int(kChunkSize); ++i) {
+        append(store, (kSamples + i) * 12'500us, 1, 1);
+    }
+    QVERIFY(store.memoryBytes() <= kLimit);
 }
 
 QTEST_APPLESS_MAIN(TestCsvExport)

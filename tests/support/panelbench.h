@@ -6,6 +6,7 @@
 #include "protocol/codec/packet.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/devicesettings.h"
+#include "protocol/session/serialtimeoutwatch.h"
 #include "protocol/telemetry/statuslatch.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/common/eventlog.h"
@@ -30,7 +31,9 @@ public:
         , uiSettings(file)
         , controller(&store, &latch)
         , settings(controller)
-        , context{controller, settings, store, latch, log, uiSettings, ticker, dialogs}
+        , timeoutWatch(controller, settings)
+        , context{controller, settings, store,   latch,   log,     uiSettings,
+                  ticker,     dialogs,  nullptr, nullptr, nullptr, &timeoutWatch}
         , panel(context)
     {
         connect(&controller, &Controller::recordsArrived, this,
@@ -83,6 +86,7 @@ public:
     StatusLatch latch;
     Controller controller;
     DeviceSettings settings;
+    SerialTimeoutWatch timeoutWatch;
     EventLog log;
     FrameTicker ticker;
     FileDialogs dialogs;

@@ -12,6 +12,7 @@ class FileDialogs;
 class FrameTicker;
 class MarkTrack;
 class PlotReferences;
+class SerialTimeoutWatch;
 class StatusLatch;
 class TelemetryStore;
 class UiSettings;
@@ -30,6 +31,7 @@ struct PanelContext {
     WriteAudit* audit = nullptr; ///< the journal of writes; null: nothing is recorded
     MarkTrack* marks = nullptr; ///< events beside the samples; null: plots show none
     PlotReferences* references = nullptr; ///< runs to compare with; null: a panel keeps its own
+    SerialTimeoutWatch* timeoutWatch = nullptr; ///< null: nobody looks after the serial timeout
 };
 
 /// Base of the panels; a row of panelregistry.cpp makes each one. GUI thread.

@@ -71,13 +71,14 @@ void PlotTimeline::place()
         return;
     }
     const Instant right = rightEdge();
+    const Instant oldest = m_store.oldest().value_or(m_origin); // the rest has left the memory
     m_view.span = std::chrono::seconds(m_view.windowSeconds);
     if (m_view.windowSeconds == kWholeSession) {
-        m_view.span = std::max<Duration>(right - m_origin, kShortestSession);
+        m_view.span = std::max<Duration>(right - oldest, kShortestSession);
     }
     m_view.from = right - m_view.span;
-    if (m_view.windowSeconds == kWholeSession && m_view.from < m_origin) {
-        m_view.from = m_origin;
+    if (m_view.windowSeconds == kWholeSession && m_view.from < oldest) {
+        m_view.from = oldest;
     }
 }
 
@@ -139,7 +140,7 @@ void PlotTimeline::setWindowSeconds(int seconds)
     if (m_view.isPaused) { // the right edge stays, so that what was paused at is still seen
         const Instant right = m_view.from + m_view.span;
         if (seconds == kWholeSession) {
-            view.from = m_store.start().value_or(right - kShortestSession);
+            view.from = m_store.oldest().value_or(right - kShortestSession);
             view.span = std::max<Duration>(rightEdge() - view.from, kShortestSession);
         } else {
             view.span = std::chrono::seconds(seconds);
@@ -204,7 +205,7 @@ void PlotTimeline::fit()
     remember(Step::Other);
     m_view.values.clear();
     const Instant right = rightEdge();
-    const Instant from = m_store.start().value_or(right);
+    const Instant from = m_store.oldest().value_or(right);
     moveTo(from, std::max<Duration>(right - from, 1s));
 }
 
@@ -220,7 +221,7 @@ void PlotTimeline::follow()
 void PlotTimeline::showStart()
 {
     remember(Step::Other);
-    moveTo(m_store.start().value_or(m_view.from), m_view.span);
+    moveTo(m_store.oldest().value_or(m_view.from), m_view.span);
 }
 
 void PlotTimeline::show(Instant moment)
@@ -304,9 +305,7 @@ void PlotTimeline::showNextMark()
     const bool isSeen = m_shownMark && *m_shownMark >= from() && *m_shownMark <= from() + span();
     const Instant here = isSeen ? *m_shownMark : from() + span() / 2;
     if (const Mark* mark = m_marks != nullptr ? m_marks->after(here) : nullptr) {
-        m_shownMark = mark->time;
-        show(mark->time);
-        emit cursorsChanged();
+        showMark(mark->time);
     }
 }
 
@@ -316,10 +315,15 @@ void PlotTimeline::showPreviousMark()
     const bool isSeen = m_shownMark && *m_shownMark >= from() && *m_shownMark <= from() + span();
     const Instant here = isSeen ? *m_shownMark : from() + span();
     if (const Mark* mark = m_marks != nullptr ? m_marks->before(here) : nullptr) {
-        m_shownMark = mark->time;
-        show(mark->time);
-        emit cursorsChanged();
+        showMark(mark->time);
     }
+}
+
+void PlotTimeline::showMark(Instant time)
+{
+    m_shownMark = time;
+    show(time);
+    emit cursorsChanged();
 }
 
 } // namespace trex

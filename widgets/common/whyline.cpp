@@ -2,7 +2,9 @@
 #include "widgets/common/whyline.h"
 
 #include "protocol/errortext.h"
-#include "protocol/session/controller.h"
+#include "protocol/session/devicesettings.h"
+#include "protocol/telemetry/statuslatch.h"
+#include "protocol/telemetry/telemetrystore.h"
 #include "widgets/common/eventlog.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
@@ -20,57 +22,83 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kStoppedShown = 5s;
+constexpr auto kLook = 250ms;
+constexpr int kBitShownMs = 3000; ///< a latched bit is read once, and is worth telling for a while
+constexpr int kSettledMs = 1000;
+constexpr auto kFresh = 1s; ///< samples older than that say nothing about now
 constexpr int kShapeSize = 14;
 constexpr int kMargin = 8;
 
-QString remedyText(WhyLine::Remedy remedy)
+QString remedyText(const MotionReason& reason)
 {
-    switch (remedy) {
-    case WhyLine::Remedy::Connect:
+    switch (reason.remedy) {
+    case MotionRemedy::Connect:
         return WhyLine::tr("Connect");
-    case WhyLine::Remedy::Disconnect:
+    case MotionRemedy::Disconnect:
         return WhyLine::tr("Disconnect");
-    case WhyLine::Remedy::Arm:
+    case MotionRemedy::Arm:
         return WhyLine::tr("Arm");
-    case WhyLine::Remedy::Disarm:
+    case MotionRemedy::Disarm:
         return WhyLine::tr("Disarm");
-    case WhyLine::Remedy::None:
+    case MotionRemedy::Stop:
+        return WhyLine::tr("STOP");
+    case MotionRemedy::OpenPanel:
+        return reason.panel == "channels"_L1 ? WhyLine::tr("Channels")
+            : reason.panel == "status"_L1    ? WhyLine::tr("Status")
+                                             : WhyLine::tr("Parameters");
+    case MotionRemedy::None:
         break;
     }
     return {};
 }
 
-QString orderText(const MotorOrder& order)
+StateShape shapeOf(MotionLook look)
 {
-    const int percent = qRound(std::abs(order.amount) * 100.0 / kFullSpeed);
-    if (order.action == MotorOrder::Action::Brake) {
-        return WhyLine::tr("braking %1 %").arg(percent);
+    switch (look) {
+    case MotionLook::Ok:
+        return StateShape::Ok;
+    case MotionLook::Waiting:
+        return StateShape::Stale;
+    case MotionLook::Warning:
+        return StateShape::Warning;
+    case MotionLook::Fault:
+        return StateShape::Fault;
+    case MotionLook::Off:
+        break;
     }
-    if (order.amount == 0) {
-        return WhyLine::tr("at zero");
-    }
-    return order.amount > 0 ? WhyLine::tr("forward %1 %").arg(percent)
-                            : WhyLine::tr("reverse %1 %").arg(percent);
+    return StateShape::Off;
 }
 
-bool isDriven(const Controller& controller)
+/// Bits seen a moment ago.
+std::uint8_t recentBits(const StatusLatch& latch, StatusLatch::Byte byte)
 {
-    for (const auto motor : {MotorId::Motor1, MotorId::Motor2, MotorId::Aux}) {
-        if (controller.lastOrder(motor).amount != 0) {
-            return true;
+    int bits = 0;
+    const QDateTime now = QDateTime::currentDateTime();
+    for (int bit = 0; bit < 8; ++bit) {
+        const StatusLatch::Entry& entry = latch.entry(byte, bit);
+        if (entry.count > 0 && entry.lastSeen.msecsTo(now) < kBitShownMs) {
+            bits |= 1 << bit;
         }
     }
-    return false;
+    return static_cast<std::uint8_t>(bits);
+}
+
+/// A sample that still says something about now.
+const PollSample* fresh(const TelemetryStore& store, PollId poll)
+{
+    const PollSample* sample = store.latest(poll);
+    return sample != nullptr && std::chrono::steady_clock::now() - sample->time < kFresh ? sample
+                                                                                         : nullptr;
 }
 
 } // namespace
 
-WhyLine::WhyLine(Controller& controller, EventLog& log, QWidget* parent)
+WhyLine::WhyLine(PanelContext& context, QWidget* parent)
     : QWidget(parent)
-    , m_controller(controller)
-    , m_log(log)
+    , m_context(context)
     , m_text(named(new QLabel(this), u"why.text"_s, tr("Why the motors do or do not move")))
     , m_remedy(named(new QPushButton(this), u"why.remedy"_s))
+    , m_look(this)
 {
     m_text->setTextFormat(Qt::PlainText);
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -78,19 +106,37 @@ WhyLine::WhyLine(Controller& controller, EventLog& log, QWidget* parent)
     layout->setContentsMargins(kMargin + kShapeSize + kMargin, 4, kMargin, 4);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_remedy);
+    for (QTimer* timer : {&m_stoppedFor, &m_lockout}) {
+        timer->setSingleShot(true);
+        timer->setTimerType(Qt::PreciseTimer); // a coarse one may end before the lockout does
+        connect(timer, &QTimer::timeout, this, &WhyLine::refresh);
+    }
+    listen();
+    refresh();
+}
 
-    m_stoppedFor.setSingleShot(true);
-    m_lockout.setSingleShot(true);
-    m_lockout.setTimerType(Qt::PreciseTimer); // a coarse one may end before the lockout does
-    connect(&m_stoppedFor, &QTimer::timeout, this, &WhyLine::refresh);
-    connect(&m_lockout, &QTimer::timeout, this, &WhyLine::refresh);
+void WhyLine::listen()
+{
+    const Controller& controller = m_context.controller;
     connect(m_remedy, &QPushButton::clicked, this, &WhyLine::onRemedy);
     connect(&controller, &Controller::stateChanged, this, &WhyLine::refresh);
     connect(&controller, &Controller::deviceChanged, this, &WhyLine::refresh);
     connect(&controller, &Controller::armedChanged, this, &WhyLine::refresh);
-    connect(&controller, &Controller::ordersChanged, this, &WhyLine::refresh);
-    connect(&controller, &Controller::lockedOut, this, &WhyLine::onStopped);
-    refresh();
+    connect(&controller, &Controller::ordersChanged, this, [this] {
+        m_sinceOrder.start();
+        refresh();
+    });
+    connect(&controller, &Controller::stopped, this, &WhyLine::refresh);
+    connect(&controller, &Controller::stopFailed, this, &WhyLine::refresh);
+    connect(&controller, &Controller::lockedOut, this, [this] {
+        m_stoppedFor.start(kStoppedShown);
+        m_lockout.start(Controller::kStopLockout);
+        refresh();
+    });
+    connect(&m_context.latch, &StatusLatch::changed, this, &WhyLine::refresh);
+    m_look.setInterval(kLook);
+    connect(&m_look, &QTimer::timeout, this, &WhyLine::refresh);
+    m_look.start();
 }
 
 QString WhyLine::text() const
@@ -98,127 +144,113 @@ QString WhyLine::text() const
     return m_text->text();
 }
 
-WhyLine::Reason WhyLine::unconnectedReason() const
+MotionFacts WhyLine::facts() const
 {
-    switch (m_controller.state()) {
-    case LinkState::Connecting:
-        return {StateShape::Stale, tr("Connecting to %1…").arg(m_controller.options().port),
-                Remedy::Disconnect};
-    case LinkState::Lost:
-    case LinkState::Retrying:
-        if (const auto error = m_controller.lastError(); error && !m_wasConnected) {
-            return {StateShape::Warning, tr("%1 Trying again.").arg(errorText(*error)),
-                    Remedy::Disconnect};
-        }
-        return {StateShape::Fault,
-                tr("The link is lost: what the motors do now is not known. Trying again."),
-                Remedy::Disconnect};
-    default:
-        break;
+    const Controller& controller = m_context.controller;
+    MotionFacts facts;
+    facts.link = controller.state();
+    facts.error = controller.lastError();
+    facts.port = controller.options().port;
+    facts.wasConnected = m_wasConnected;
+    facts.isArmed = controller.isArmed();
+    facts.disarming = controller.gate().lastDisarming();
+    facts.isLockedOut = m_lockout.isActive();
+    facts.isJustStopped = m_stoppedFor.isActive();
+    const StopProgress stop = controller.gate().stopProgress();
+    // A failure stays until the next stop or arming: it is not over by itself.
+    facts.stop = (stop == StopProgress::Failed && !facts.isArmed) || facts.isJustStopped
+        ? stop
+        : StopProgress::None;
+    for (const auto motor : {MotorId::Motor1, MotorId::Motor2, MotorId::Aux}) {
+        facts.orders.at(static_cast<std::size_t>(motor)) = controller.lastOrder(motor);
+        facts.sent.at(static_cast<std::size_t>(motor)) = controller.sentOrder(motor);
     }
-    if (const auto error = m_controller.lastError()) {
-        return {StateShape::Warning, errorText(*error), Remedy::Connect};
+    facts.isSettled = m_sinceOrder.isValid() && m_sinceOrder.hasExpired(kSettledMs);
+    facts.isRampingDown = controller.shaper().isRampingDown();
+    facts.isProving = controller.isSilent();
+    if (facts.link == LinkState::Connected) {
+        addDeviceFacts(facts);
     }
-    return {StateShape::Off, tr("Not connected: connect to a controller, or simulate one."),
-            Remedy::Connect};
+    return facts;
 }
 
-QString WhyLine::ordersText() const
+void WhyLine::addDeviceFacts(MotionFacts& facts) const
 {
-    return tr("motor 1 %1, motor 2 %2, auxiliary %3")
-        .arg(orderText(m_controller.lastOrder(MotorId::Motor1)),
-             orderText(m_controller.lastOrder(MotorId::Motor2)),
-             orderText(m_controller.lastOrder(MotorId::Aux)));
-}
-
-WhyLine::Reason WhyLine::armedReason() const
-{
-    const std::optional<bool> obeys = m_controller.device().serialControls;
-    const bool driven = isDriven(m_controller);
-    if (obeys == false && driven) {
-        // conformance C-50: the last command waits in the controller
-        return {StateShape::Warning,
-                tr("Command pending: the channels control the motors now. It acts at the moment "
-                   "serial takes over."),
-                Remedy::Disarm};
+    facts.mode = m_context.controller.device().mode;
+    facts.serialControls = m_context.controller.device().serialControls;
+    if (const PollSample* sample = fresh(m_context.store, PollId::RawChannels)) {
+        facts.raw = sample->raw;
     }
-    if (obeys == false) {
-        return {
-            StateShape::Warning,
-            tr("Armed, but the channels control the motors: commands will wait in the controller."),
-            Remedy::Disarm};
+    if (const PollSample* sample = fresh(m_context.store, PollId::RemappedChannels)) {
+        facts.remapped = sample->raw;
     }
-    if (driven) {
-        return {StateShape::Ok, tr("Driving: %1.").arg(ordersText()), Remedy::Disarm};
+    if (const PollSample* sample = fresh(m_context.store, PollId::Currents)) {
+        facts.currents = {sample->raw[0], sample->raw[1]};
     }
-    return {StateShape::Ok, tr("Armed: move a slider to drive. Esc stops."), Remedy::Disarm};
-}
-
-WhyLine::Reason WhyLine::reason() const
-{
-    if (m_controller.state() != LinkState::Connected) {
-        return unconnectedReason();
+    facts.status = recentBits(m_context.latch, StatusLatch::Byte::Status);
+    facts.uart = recentBits(m_context.latch, StatusLatch::Byte::Uart);
+    const DeviceSettings& settings = m_context.deviceSettings;
+    const auto value = [&settings](const ParameterRow& row) {
+        return settings.isPending(row.number) ? std::nullopt : settings.parameter(row.number);
+    };
+    if (const auto mode = value(parameterRow("motor-mode"))) {
+        facts.isJoint = *mode == 1;
     }
-    if (m_controller.isArmed()) {
-        return armedReason();
+    facts.requiredChannels = value(parameterRow("required-channels"));
+    facts.ignoredChannels = value(parameterRow("ignored-channels"));
+    facts.uartErrorShutdown = value(parameterRow("uart-error-shutdown"));
+    const auto limit1 = value(parameterRow("motor1-current-limit"));
+    const auto limit2 = value(parameterRow("motor2-current-limit"));
+    if (limit1 && limit2) {
+        facts.currentLimits = {*limit1, *limit2};
     }
-    if (m_stoppedFor.isActive()) {
-        return {StateShape::Warning,
-                tr("Stopped: all motors were told to stop. Arm to drive again."), Remedy::Arm};
-    }
-    if (m_controller.device().serialControls == false) {
-        return {
-            StateShape::Off,
-            m_controller.device().mode && isSerial(*m_controller.device().mode)
-                ? tr("Disarmed. The channels control the motors now.")
-                : tr("Disarmed. The controller is in RC or analog mode: its channels control the "
-                     "motors."),
-            Remedy::Arm};
-    }
-    return {StateShape::Off, tr("Disarmed: nothing is sent to the motors. Arm to drive them."),
-            Remedy::Arm};
 }
 
 void WhyLine::refresh()
 {
-    const LinkState state = m_controller.state();
+    const LinkState state = m_context.controller.state();
     m_wasConnected = state == LinkState::Connected
         || (m_wasConnected && state != LinkState::Disconnected && state != LinkState::Connecting);
-    m_reason = reason();
+    const MotionReason reason = motionReason(facts());
+    const bool mayArm = reason.remedy != MotionRemedy::Arm || !m_lockout.isActive();
+    m_remedy->setEnabled(mayArm);
+    if (reason.sentence == m_reason.sentence && reason.remedy == m_reason.remedy) {
+        return;
+    }
+    m_reason = reason;
     m_text->setText(m_reason.sentence);
     m_text->setToolTip(m_reason.sentence);
-    m_remedy->setVisible(m_reason.remedy != Remedy::None);
-    m_remedy->setText(remedyText(m_reason.remedy));
+    m_remedy->setVisible(m_reason.remedy != MotionRemedy::None);
+    m_remedy->setText(remedyText(m_reason));
     m_remedy->setAccessibleDescription(m_reason.sentence);
-    m_remedy->setEnabled(m_reason.remedy != Remedy::Arm || !m_lockout.isActive());
     update();
-}
-
-void WhyLine::onStopped()
-{
-    m_stoppedFor.start(kStoppedShown);
-    m_lockout.start(Controller::kStopLockout);
-    refresh();
 }
 
 void WhyLine::onRemedy()
 {
+    Controller& controller = m_context.controller;
     switch (m_reason.remedy) {
-    case Remedy::Connect:
+    case MotionRemedy::Connect:
         emit connectRequested();
         break;
-    case Remedy::Disconnect:
-        m_controller.close();
+    case MotionRemedy::Disconnect:
+        controller.close();
         break;
-    case Remedy::Disarm:
-        m_controller.disarm();
+    case MotionRemedy::Disarm:
+        controller.disarm();
         break;
-    case Remedy::Arm:
-        if (const Result<void> armed = m_controller.arm(); !armed) {
-            m_log.add(EventLog::Warning, errorText(armed.error()));
+    case MotionRemedy::Stop:
+        controller.stop();
+        break;
+    case MotionRemedy::Arm:
+        if (const Result<void> armed = controller.arm(); !armed) {
+            m_context.log.add(EventLog::Warning, errorText(armed.error()));
         }
         break;
-    case Remedy::None:
+    case MotionRemedy::OpenPanel:
+        emit panelRequested(m_reason.panel);
+        break;
+    case MotionRemedy::None:
         break;
     }
 }
@@ -231,7 +263,7 @@ void WhyLine::paintEvent(QPaintEvent* /*event*/)
     painter.setPen(theme::colour(ColourRole::Border));
     painter.drawLine(QPointF(0, height() - 0.5), QPointF(width(), height() - 0.5));
     drawStateShape(painter, QRectF(kMargin, (height() - kShapeSize) / 2.0, kShapeSize, kShapeSize),
-                   m_reason.shape);
+                   shapeOf(m_reason.look));
 }
 
 } // namespace trex

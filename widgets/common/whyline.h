@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/session/motionreason.h"
 #include "widgets/common/stateshape.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -11,50 +13,42 @@ class QPushButton;
 
 namespace trex {
 
-class Controller;
-class EventLog;
+struct PanelContext;
 
 /// One sentence that says why the motors do or do not move, and one button that is the next thing
-/// to do about it. GUI thread.
+/// to do about it. Gathers what is known; motionreason.cpp makes the sentence. GUI thread.
 class WhyLine : public QWidget {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(WhyLine)
     Q_PROPERTY(QString text READ text)
 
 public:
-    enum class Remedy { None, Connect, Disconnect, Arm, Disarm };
-
-    WhyLine(Controller& controller, EventLog& log, QWidget* parent = nullptr);
+    explicit WhyLine(PanelContext& context, QWidget* parent = nullptr);
     [[nodiscard]] QString text() const;
 
 signals:
     void connectRequested();
+    void panelRequested(const QString& id);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    struct Reason {
-        StateShape shape = StateShape::Off;
-        QString sentence;
-        Remedy remedy = Remedy::None;
-    };
-    [[nodiscard]] Reason reason() const;
-    [[nodiscard]] Reason unconnectedReason() const;
-    [[nodiscard]] Reason armedReason() const;
-    [[nodiscard]] QString ordersText() const;
+    [[nodiscard]] MotionFacts facts() const;
+    void addDeviceFacts(MotionFacts& facts) const;
+    void listen();
     void refresh();
-    void onStopped();
     void onRemedy();
 
-    Controller& m_controller;
-    EventLog& m_log;
+    PanelContext& m_context;
     QLabel* m_text;
     QPushButton* m_remedy;
-    QTimer m_stoppedFor; ///< runs while "stopped just now" is the reason
+    QTimer m_stoppedFor; ///< runs while "stopped just now" is worth telling
     QTimer m_lockout; ///< runs while arming would be refused
-    Reason m_reason;
-    bool m_wasConnected = false; ///< on this line: losing it is another thing than not finding it
+    QTimer m_look; ///< what comes in samples is looked at a few times a second
+    QElapsedTimer m_sinceOrder;
+    MotionReason m_reason;
+    bool m_wasConnected = false; ///< on this line
 };
 
 } // namespace trex

@@ -99,6 +99,23 @@ void MotorRow::setSpeed(int speed)
     showSpeed(speed);
 }
 
+void MotorRow::setReached(int speed)
+{
+    m_slider->setReached(speed);
+}
+
+void MotorRow::setLimit(int maximum, int step)
+{
+    const QSignalBlocker blocker(m_slider);
+    m_slider->setRange(m_slider->minimum() < 0 ? -maximum : 0, maximum);
+    m_slider->setPageStep(step);
+}
+
+void MotorRow::setSpring(bool springs)
+{
+    m_slider->setSpring(springs);
+}
+
 void MotorRow::setBraking(int duty)
 {
     setSpeed(0);

@@ -24,7 +24,10 @@ public:
     [[nodiscard]] int speed() const;
     void setSpeed(int speed); ///< shown, not reported
     void setBraking(int duty); ///< shown in place of the speed until the next order
+    void setReached(int speed); ///< marked on the slider while a ramp runs
     void setUsable(bool usable);
+    void setLimit(int maximum, int step); ///< the slider's ends, and its largest step
+    void setSpring(bool springs); ///< hold to run
 
 signals:
     void speedWanted(int speed);

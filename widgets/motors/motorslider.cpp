@@ -20,13 +20,39 @@ constexpr int kLargeStep = 8;
 } // namespace
 
 MotorSlider::MotorSlider(int minimum, int maximum, ColourRole role, QWidget* parent)
-    : QSlider(Qt::Horizontal, parent), m_role(role)
+    : QSlider(Qt::Horizontal, parent), m_role(role), m_hold(*this)
 {
     setRange(minimum, maximum);
     setSingleStep(kSmallStep);
     setPageStep(kLargeStep);
     setFocusPolicy(Qt::StrongFocus); // not by the wheel
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(&m_hold, &HoldWatch::lost, this, &MotorSlider::springBack);
+}
+
+void MotorSlider::setSpring(bool springs)
+{
+    if (m_springs && !springs) {
+        springBack();
+    }
+    m_springs = springs;
+}
+
+void MotorSlider::springBack()
+{
+    m_hold.end();
+    if (m_springs) {
+        setSliderDown(false);
+        setValue(0);
+    }
+}
+
+void MotorSlider::setReached(int speed)
+{
+    if (m_reached != speed) {
+        m_reached = speed;
+        update();
+    }
 }
 
 QSize MotorSlider::sizeHint() const
@@ -85,6 +111,10 @@ void MotorSlider::paintEvent(QPaintEvent* event)
         painter.drawRoundedRect(
             QRectF(std::min(neutral, handle), middle - 3, std::abs(handle - neutral), 6), 3, 3);
     }
+    if (isEnabled() && m_reached != sliderPosition()) { // a ramp is on its way
+        painter.setBrush(theme::colour(ColourRole::Text));
+        painter.drawRect(QRectF(xOf(m_reached) - 1.5, middle - 9, 3, 18));
+    }
     painter.setPen(
         QPen(hasFocus() ? theme::colour(ColourRole::Accent) : colour, hasFocus() ? 2.0 : 1.0));
     painter.setBrush(isEnabled() ? colour : theme::colour(ColourRole::Panel));
@@ -96,7 +126,7 @@ void MotorSlider::paintEvent(QPaintEvent* event)
 
 void MotorSlider::wheelEvent(QWheelEvent* event)
 {
-    if (hasFocus()) {
+    if (hasFocus() && !m_springs) { // a wheel is not held
         QSlider::wheelEvent(event);
     } else {
         event->ignore(); // scrolls what the slider stands in
@@ -114,8 +144,23 @@ void MotorSlider::keyPressEvent(QKeyEvent* event)
     case Qt::Key_End: // would be full speed at one stroke
         return;
     default:
-        QSlider::keyPressEvent(event);
+        break;
     }
+    if (m_springs) {
+        if (event->isAutoRepeat() && !m_hold.isHeld()) {
+            return; // a repeat alone starts nothing: its press was before an interruption
+        }
+        event->isAutoRepeat() ? m_hold.sign() : m_hold.begin(HoldWatch::By::Key);
+    }
+    QSlider::keyPressEvent(event);
+}
+
+void MotorSlider::keyReleaseEvent(QKeyEvent* event)
+{
+    if (m_springs && !event->isAutoRepeat()) {
+        springBack();
+    }
+    QSlider::keyReleaseEvent(event);
 }
 
 void MotorSlider::mousePressEvent(QMouseEvent* event)
@@ -125,6 +170,9 @@ void MotorSlider::mousePressEvent(QMouseEvent* event)
         return;
     }
     setFocus(Qt::MouseFocusReason);
+    if (m_springs) {
+        m_hold.begin(HoldWatch::By::Mouse);
+    }
     const double x = event->position().x();
     m_grip = x - xOf(sliderPosition());
     if (std::abs(m_grip) <= kHandleWidth) {
@@ -137,6 +185,10 @@ void MotorSlider::mousePressEvent(QMouseEvent* event)
 
 void MotorSlider::mouseMoveEvent(QMouseEvent* event)
 {
+    if (m_springs && (event->buttons() & Qt::LeftButton) == 0) {
+        springBack(); // its release went elsewhere
+        return;
+    }
     if (isSliderDown()) {
         const int wanted =
             std::clamp(valueAt(event->position().x() - m_grip), minimum(), maximum());
@@ -148,6 +200,7 @@ void MotorSlider::mouseReleaseEvent(QMouseEvent* event)
 {
     Q_UNUSED(event)
     setSliderDown(false);
+    springBack();
 }
 
 } // namespace trex

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/common/theme.h"
+#include "widgets/motors/holdwatch.h"
 
 #include <QSlider>
 
@@ -15,6 +16,9 @@ class MotorSlider : public QSlider {
 
 public:
     MotorSlider(int minimum, int maximum, ColourRole role, QWidget* parent = nullptr);
+    /// Hold to run: springs to neutral when it is let go, or no longer surely held.
+    void setSpring(bool springs);
+    void setReached(int speed); ///< marked beside the order while a ramp runs
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -22,6 +26,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -31,7 +36,12 @@ private:
     [[nodiscard]] int valueAt(double x) const;
     void paintScale(QPainter& painter) const;
 
+    void springBack();
+
     ColourRole m_role;
+    HoldWatch m_hold;
+    bool m_springs = false;
+    int m_reached = 0;
     double m_grip = 0.0; ///< where in the handle it was taken
 };
 

@@ -15,6 +15,8 @@ class QPushButton;
 
 namespace trex {
 
+class DrivePad;
+class Gamepad;
 class MotorRow;
 
 /// Drives the motors. Disarmed at start; arming is one deliberate act, and every way out of it
@@ -27,10 +29,19 @@ public:
 
 private:
     void makeControls();
+    void makeOptions();
+    void makePad();
     void makeRows();
+    void listen();
     void onArmClicked(bool wanted);
     void onSpeed(MotorId motor, int speed);
     void onBrake(MotorId motor, int duty);
+    void onPad(int forward, int turn);
+    void onPadShown(bool shown);
+    void refreshGamepad();
+    void followSettings();
+    void openSafety();
+    void openProof();
     void refresh();
     void refreshHint();
     void showOrders();
@@ -42,6 +53,11 @@ private:
     QPushButton* m_arm = nullptr;
     QComboBox* m_mode = nullptr;
     QCheckBox* m_link = nullptr;
+    QCheckBox* m_hold = nullptr;
+    QPushButton* m_padShown = nullptr;
+    DrivePad* m_pad = nullptr;
+    Gamepad* m_gamepad = nullptr;
+    QLabel* m_gamepadText = nullptr;
     QLabel* m_hint = nullptr;
     std::array<MotorRow*, 3> m_rows{};
     QTimer m_lockout; ///< arming is refused just after a stop
