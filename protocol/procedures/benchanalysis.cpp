@@ -116,6 +116,16 @@ bool BenchOutcome::hasPassed() const
            });
 }
 
+BenchVerdict BenchOutcome::verdict() const
+{
+    const bool isJudged = std::ranges::any_of(results, [](const BenchResult& result) {
+        return result.verdict != BenchVerdict::NotJudged;
+    });
+    return !hasPassed() ? BenchVerdict::Failed
+        : isJudged      ? BenchVerdict::Passed
+                        : BenchVerdict::NotJudged;
+}
+
 QString BenchOutcome::verdictText() const
 {
     if (ending.end != BenchEnd::Completed) {

@@ -59,6 +59,8 @@ struct BenchOutcome {
 
     /// Done to its end, and nothing that was expected has failed or is missing.
     [[nodiscard]] bool hasPassed() const;
+    /// Passed, Failed, or NotJudged: done, but nothing was expected.
+    [[nodiscard]] BenchVerdict verdict() const;
     [[nodiscard]] QString verdictText() const; ///< one sentence
 };
 

@@ -42,6 +42,12 @@ QString number(double value)
     return QString::number(value, 'f', 1);
 }
 
+/// For people: with a true minus.
+QString figure(double value, int digits)
+{
+    return QString::number(value, 'f', digits).replace(u'-', u'\u2212');
+}
+
 /// A range of values on a range of pixels.
 struct Scale {
     double from = 0.0;
@@ -139,8 +145,7 @@ public:
             const bool isZero = std::abs(at) < step * 1e-6;
             line(across.begin, scale.px(at), across.end, scale.px(at), isZero ? "zero" : "grid",
                  isZero ? "#8C959F" : "#DFE3E8");
-            text(across.begin - 6, scale.px(at) + 4,
-                 QString::number(isZero ? 0.0 : at, 'f', digits), "end");
+            text(across.begin - 6, scale.px(at) + 4, figure(isZero ? 0.0 : at, digits), "end");
         }
     }
     void ticksBelow(const Scale& scale, double top, double bottom, bool hasFigures)
@@ -152,7 +157,7 @@ public:
             line(scale.px(at), top, scale.px(at), bottom, "grid", "#DFE3E8");
             if (hasFigures) {
                 text(scale.px(at), bottom + 16,
-                     QString::number(std::abs(at) < step * 1e-6 ? 0.0 : at, 'f', digits), "middle");
+                     figure(std::abs(at) < step * 1e-6 ? 0.0 : at, digits), "middle");
             }
         }
     }
@@ -264,7 +269,8 @@ void drawMarks(Drawing& drawing, const BenchTrace& trace, const Scale& x, double
     }
     double free = x.begin; // where the next label may begin
     for (const BenchTrace::Event& event : trace.events) {
-        if (event.severity == 0 && labels > kMostMarks) {
+        const bool isFirst = &event == trace.events.data(); // "Started", at 0
+        if (isFirst || (event.severity == 0 && labels > kMostMarks)) {
             continue;
         }
         const double at = x.px(event.seconds);

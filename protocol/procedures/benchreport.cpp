@@ -131,12 +131,7 @@ void Html::writeSummary()
     if (!m_outcome.profile.description.isEmpty()) {
         element("p", m_outcome.profile.description, "dim");
     }
-    const bool isJudged = std::ranges::any_of(m_outcome.results, [](const BenchResult& result) {
-        return result.verdict != BenchVerdict::NotJudged;
-    });
-    const BenchVerdict verdict = !m_outcome.hasPassed() ? BenchVerdict::Failed
-        : isJudged                                      ? BenchVerdict::Passed
-                                                        : BenchVerdict::NotJudged;
+    const BenchVerdict verdict = m_outcome.verdict();
     open("p");
     m_xml.writeAttribute(u"class"_s, u"verdict "_s + keyOf(verdict));
     m_xml.writeCharacters(signOf(verdict) + u' ' + printable(m_outcome.verdictText()));
@@ -180,7 +175,7 @@ void Html::writeResults()
         element("code", result.key);
         close();
         element("td", valueText(result), "num");
-        element("td", expectedText(result));
+        element("td", expectedText(result), "word");
         open("td");
         m_xml.writeAttribute(u"class"_s, u"word "_s + keyOf(result.verdict));
         m_xml.writeCharacters(signOf(result.verdict) + u' ' + textOf(result.verdict));
@@ -286,8 +281,7 @@ void Html::writeEvents()
             i = events.size() - kMost / 2;
             open("tr");
             element("td", u"…"_s, "num");
-            element("td",
-                    Bench::tr("%n event(s) left out here", nullptr, int(events.size() - kMost)));
+            element("td", Bench::tr("%1 events are left out here").arg(events.size() - kMost));
             close();
         }
         open("tr");

@@ -45,7 +45,7 @@ BenchLimitsForm::BenchLimitsForm(QWidget* parent) : QWidget(parent), m_form(new 
                   tr("Without a fresh reading for so long, everything stops"));
     m_stale->setMinimum(0.1);
     m_overCurrent =
-        named(new QCheckBox(tr("Stop at the over-current bit"), this), u"bench.overCurrent"_s);
+        named(new QCheckBox(tr("Stop at over-current bit"), this), u"bench.overCurrent"_s);
     m_form->addRow(QString(), m_overCurrent);
     m_volts = add(u"volts"_s, tr("Supply"), tr(" V"), 60.0, tr("not known"),
                   tr("As you measured it; without it nothing can be given in ohms"));

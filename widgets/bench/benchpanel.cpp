@@ -30,7 +30,7 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr int kListWidth = 190;
-constexpr int kFormWidth = 270;
+constexpr int kFormWidth = 310;
 
 QLabel* wrapped(QLabel* label)
 {
@@ -51,6 +51,7 @@ QTableView* table(QAbstractItemModel& model, const QString& name, const QString&
     view->verticalHeader()->hide();
     view->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     view->horizontalHeader()->setHighlightSections(false);
+    view->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     return view;
 }
@@ -99,7 +100,10 @@ BenchPanel::~BenchPanel() = default;
 QPushButton* BenchPanel::addButton(QLayout& layout, const QString& name, const QString& text,
                                    const QString& icon)
 {
-    auto* button = named(new QPushButton(theme::icon(icon), text, this), u"bench."_s + name, text);
+    auto* button = named(new QPushButton(text, this), u"bench."_s + name, text);
+    if (!icon.isEmpty()) {
+        button->setIcon(theme::icon(icon));
+    }
     button->setProperty("icon-name", icon);
     layout.addWidget(button);
     return button;
@@ -147,10 +151,10 @@ QWidget* BenchPanel::buildStepsTab()
     left->addWidget(m_stepTable, 1);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(4);
-    auto* add = addButton(*buttons, u"add"_s, tr("Add"), u"next"_s);
-    auto* remove = addButton(*buttons, u"remove"_s, tr("Remove"), u"clear"_s);
-    auto* up = addButton(*buttons, u"up"_s, tr("Up"), u"back"_s);
-    auto* down = addButton(*buttons, u"down"_s, tr("Down"), u"next"_s);
+    auto* add = addButton(*buttons, u"add"_s, tr("Add"), {});
+    auto* remove = addButton(*buttons, u"remove"_s, tr("Remove"), {});
+    auto* up = addButton(*buttons, u"up"_s, tr("Up"), {});
+    auto* down = addButton(*buttons, u"down"_s, tr("Down"), {});
     m_revert = addButton(*buttons, u"revert"_s, tr("Revert"), u"revert"_s);
     buttons->addStretch();
     left->addLayout(buttons);

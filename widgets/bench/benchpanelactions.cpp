@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the bench panel does: edits, dry run, the test itself, files.
+// What the bench panel does: edits, dry run, the test itself.
 #include "protocol/errortext.h"
 #include "protocol/procedures/benchpreview.h"
 #include "protocol/procedures/configtransfer.h"
 #include "widgets/bench/benchchart.h"
 #include "widgets/bench/benchlimitsform.h"
 #include "widgets/bench/benchpanel.h"
-#include "widgets/bench/benchpdf.h"
 #include "widgets/common/eventlog.h"
-#include "widgets/common/filedialogs.h"
 #include "widgets/common/theme.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QListWidget>
@@ -32,15 +29,6 @@ constexpr int kResultsTab = 2;
 constexpr qint64 kSliceMs = 12; // of computing, between two looks at the person
 constexpr int kJointMode = 1;
 constexpr double kProgressSteps = 1000.0;
-
-QString fileNameOf(const QString& name, const QString& ending)
-{
-    QString tame;
-    for (const QChar letter : name.toLower()) {
-        tame += letter.isLetterOrNumber() ? letter : u'-';
-    }
-    return (tame.isEmpty() ? u"bench-test"_s : tame) + ending;
-}
 
 } // namespace
 
@@ -106,7 +94,9 @@ void BenchPanel::refresh()
     const bool isBusy = m_test || m_dryRun;
     const bool hasOutcome = entry().outcome.has_value();
     m_isConfirming = m_isConfirming && reason.isEmpty() && !isBusy;
-    m_list->setEnabled(!m_test);
+    // Not disabled, which would hide which test it is.
+    m_list->setAttribute(Qt::WA_TransparentForMouseEvents, m_test != nullptr);
+    m_list->setFocusPolicy(m_test ? Qt::NoFocus : Qt::StrongFocus);
     m_tabs->widget(1)->setEnabled(!isBusy);
     m_dry->setEnabled(!m_test && !m_isConfirming && validate(entry().profile));
     m_dry->setText(m_dryRun ? tr("Cancel") : tr("Dry run"));
@@ -150,14 +140,16 @@ void BenchPanel::showOutcome()
         m_proposals->clear();
         return;
     }
-    const bool hasPassed = one.outcome->hasPassed();
-    QString text = signOf(hasPassed ? BenchVerdict::Passed : BenchVerdict::Failed) + u' '
-        + one.outcome->verdictText();
+    const BenchVerdict verdict = one.outcome->verdict();
+    QString text = signOf(verdict) + u' ' + one.outcome->verdictText();
     if (one.outcome->isDryRun) {
         text += u' ' + tr("(Dry run: a prediction.)");
     }
     m_verdict->setText(text);
-    theme::setTextColour(*m_verdict, hasPassed ? ColourRole::Ok : ColourRole::Fault);
+    theme::setTextColour(*m_verdict,
+                         verdict == BenchVerdict::Passed       ? ColourRole::Ok
+                             : verdict == BenchVerdict::Failed ? ColourRole::Fault
+                                                               : ColourRole::Text);
     QStringList proposals;
     for (const ProposalText& proposal : proposalsOf(*one.outcome)) {
         proposals
@@ -195,89 +187,6 @@ void BenchPanel::revert()
     entry().profile = entry().original;
     entry().prediction = {};
     showEntry();
-}
-
-// ---- files
-
-void BenchPanel::openFile()
-{
-    context().fileDialogs.askOpen(this, tr("Open a bench test"), tr("Bench tests (*.json)"),
-                                  [this](const QString& path) {
-                                      const auto profile = loadBenchProfile(path);
-                                      if (!profile) {
-                                          tell(EventLog::Failure, errorText(profile.error()));
-                                          return;
-                                      }
-                                      addEntry(*profile, path);
-                                      m_list->setCurrentRow(m_list->count() - 1);
-                                  });
-}
-
-void BenchPanel::saveFile()
-{
-    const QString suggestion =
-        entry().path.isEmpty() ? fileNameOf(entry().profile.name, u".json"_s) : entry().path;
-    context().fileDialogs.askSave(
-        this, tr("Save the bench test"), suggestion, tr("Bench tests (*.json)"),
-        [this](const QString& path) {
-            if (const auto saved = saveBenchProfile(entry().profile, path); !saved) {
-                tell(EventLog::Failure, errorText(saved.error()));
-                return;
-            }
-            const BenchProfile profile = entry().profile;
-            if (entry().path == path) {
-                entry().original = profile;
-            } else {
-                entry().profile = entry().original; // the one that it was made from stays as it was
-                addEntry(profile, path);
-                m_list->setCurrentRow(m_list->count() - 1);
-            }
-            refreshTitles();
-            refresh();
-            tell(EventLog::Information,
-                 tr("Bench test saved to %1.").arg(QDir::toNativeSeparators(path)));
-        });
-}
-
-void BenchPanel::saveReportAs(bool isPdf)
-{
-    if (!entry().outcome) {
-        return;
-    }
-    context().fileDialogs.askSave(
-        this, isPdf ? tr("Report as PDF") : tr("Report as HTML"),
-        fileNameOf(entry().profile.name, isPdf ? u".pdf"_s : u".html"_s),
-        isPdf ? tr("PDF (*.pdf)") : tr("HTML (*.html)"), [this, isPdf](const QString& path) {
-            const BenchOutcome& outcome = *entry().outcome;
-            const auto saved = isPdf ? savePdf(path, outcome, entry().report)
-                                     : saveReport(path, outcome, entry().report);
-            saved ? tell(EventLog::Information,
-                         tr("Report written to %1.").arg(QDir::toNativeSeparators(path)))
-                  : tell(EventLog::Failure, errorText(saved.error()));
-        });
-}
-
-void BenchPanel::saveProposals()
-{
-    if (!entry().outcome) {
-        return;
-    }
-    context().fileDialogs.askSave(
-        this, tr("Proposed settings as a configuration file"),
-        fileNameOf(entry().profile.name, u"-proposals.json"_s), tr("Configurations (*.json)"),
-        [this](const QString& path) {
-            const Configuration configuration =
-                configurationOf(entry().outcome->proposals, entry().profile.name);
-            if (const auto saved = saveConfiguration(configuration, path); !saved) {
-                tell(EventLog::Failure, errorText(saved.error()));
-                return;
-            }
-            tell(EventLog::Information,
-                 tr("Proposals written to %1. Load shows them in the parameters, where each is "
-                    "taken or left.")
-                     .arg(QDir::toNativeSeparators(path)));
-            emit panelRequested(u"parameters"_s);
-        });
 }
 
 // ---- dry run

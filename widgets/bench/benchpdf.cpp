@@ -25,19 +25,21 @@ struct BenchPdf {
 };
 
 // Of the printed page, which is white whatever the theme is.
-const QColor kInk(0x1F, 0x23, 0x28);
-const QColor kDim(0x59, 0x63, 0x6E);
-const QColor kRule(0xD8, 0xDE, 0xE4);
-const QColor kGood(0x1A, 0x7F, 0x37);
-const QColor kBad(0xC4, 0x23, 0x2B);
+const QColor kInk(u"#1F2328"_s);
+const QColor kDim(u"#59636E"_s);
+const QColor kRule(u"#D8DEE4"_s);
+const QColor kGood(u"#1A7F37"_s);
+const QColor kBad(u"#C4232B"_s);
 
 constexpr int kPlotType = QTextFormat::UserObject + 1;
 constexpr int kSvgProperty = QTextFormat::UserProperty + 1;
+constexpr int kTitleProperty = QTextFormat::UserProperty + 2;
 constexpr int kDpi = 300;
 constexpr double kMarginMm = 16.0;
 constexpr double kBodyPoints = 9.0;
 
-/// Draws a plot's SVG where the text has its place for it.
+/// Draws a plot's SVG with its title, which no page end comes between, where the text has its place
+/// for it.
 class PlotObject : public QObject, public QTextObjectInterface {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
@@ -49,13 +51,25 @@ public:
     {
         const QSize size = QSvgRenderer(format.property(kSvgProperty).toByteArray()).defaultSize();
         const double width = document->textWidth() - 2.0 * document->documentMargin();
-        return {width, width * size.height() / std::max(size.width(), 1)};
+        return {width, kTitleHeight + width * size.height() / std::max(size.width(), 1)};
     }
-    void drawObject(QPainter* painter, const QRectF& rect, QTextDocument* /*document*/,
+    void drawObject(QPainter* painter, const QRectF& rect, QTextDocument* document,
                     int /*position*/, const QTextFormat& format) override
     {
-        QSvgRenderer(format.property(kSvgProperty).toByteArray()).render(painter, rect);
+        QFont font = document->defaultFont();
+        font.setPointSizeF(12.0);
+        font.setWeight(QFont::DemiBold);
+        painter->setFont(font);
+        painter->setPen(kInk);
+        painter->drawText(QRectF(rect.topLeft(), QSizeF(rect.width(), kTitleHeight * 0.9)),
+                          Qt::AlignLeft | Qt::AlignBottom,
+                          format.property(kTitleProperty).toString());
+        QSvgRenderer(format.property(kSvgProperty).toByteArray())
+            .render(painter, rect.adjusted(0.0, kTitleHeight, 0.0, 0.0));
     }
+
+private:
+    static constexpr double kTitleHeight = 0.36 * kDpi;
 };
 
 class Writer {
@@ -146,10 +160,11 @@ void Writer::write()
 {
     m_cursor.insertText(printable(m_outcome.profile.name), format(19.0, kInk, true));
     paragraph(m_outcome.profile.description, format(kBodyPoints, kDim, false));
-    const bool hasPassed = m_outcome.hasPassed();
-    paragraph(signOf(hasPassed ? BenchVerdict::Passed : BenchVerdict::Failed) + u' '
-                  + m_outcome.verdictText(),
-              format(11.0, hasPassed ? kGood : kBad, true), 8.0);
+    const BenchVerdict verdict = m_outcome.verdict();
+    const QColor& colour = verdict == BenchVerdict::Passed ? kGood
+        : verdict == BenchVerdict::Failed                  ? kBad
+                                                           : kInk;
+    paragraph(signOf(verdict) + u' ' + m_outcome.verdictText(), format(11.0, colour, true), 8.0);
     if (m_outcome.isDryRun) {
         paragraph(BenchPdf::tr("▲ Dry run on the simulated controller and its motors: a "
                                "prediction. No real motor was moved or measured."),
@@ -186,12 +201,13 @@ void Writer::writeResults()
     heading(BenchPdf::tr("Results"));
     std::vector<QStringList> rows;
     for (const BenchResult& result : m_outcome.results) {
-        rows.push_back({result.title, valueText(result), expectedText(result),
+        rows.push_back({result.title, valueText(result).replace(u' ', QChar(QChar::Nbsp)),
+                        expectedText(result).replace(u' ', QChar(QChar::Nbsp)),
                         signOf(result.verdict) + u' ' + textOf(result.verdict), result.note});
     }
     table({BenchPdf::tr("Result"), BenchPdf::tr("Value"), BenchPdf::tr("Expected"),
            BenchPdf::tr("Verdict"), BenchPdf::tr("Rests on")},
-          rows, {29, 16, 13, 14, 28}, 3);
+          rows, {27, 19, 16, 14, 24}, 3);
     const auto proposals = proposalsOf(m_outcome);
     if (!proposals.empty()) {
         heading(BenchPdf::tr("Proposed settings"));
@@ -210,8 +226,8 @@ void Writer::writeResults()
 void Writer::writePlots()
 {
     for (const BenchPlot& plot : plotsOf(m_outcome)) {
-        heading(plot.title);
         QTextCharFormat object;
+        object.setProperty(kTitleProperty, printable(plot.title));
         object.setObjectType(kPlotType);
         object.setProperty(kSvgProperty, plot.svg);
         m_cursor.movePosition(QTextCursor::End);

@@ -122,7 +122,7 @@ QString textOf(const BenchStep& step)
     case BenchAction::Wait:
         return conditionText(step);
     case BenchAction::Repeat:
-        return BenchSteps::tr("%n time(s)", nullptr, step.times);
+        return BenchSteps::tr("%1 ×").arg(step.times);
     }
     return {};
 }
