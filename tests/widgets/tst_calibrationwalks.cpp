@@ -19,7 +19,7 @@ using Bench = CalibrationPanelBench;
 
 constexpr double kSpeed = 6.0; // as fast as a hand
 constexpr std::uint8_t kFirstTwo = 0b00011;
-const QByteArray kStick = R"("stick":{"neutralSeconds":2.8,"sweepSeconds":3})";
+const QByteArray kStick = R"("stick":{"neutralSeconds":2.8,"sweepSeconds":4.2})";
 const QByteArray kOthersRest = R"({"channel":3,"wave":"hold"},{"channel":4,"wave":"hold"},)"
                                R"({"channel":5,"wave":"hold"})";
 /// From then on a stick of such a scenario does something else than rest and sweep.
