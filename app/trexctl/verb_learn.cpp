@@ -101,7 +101,8 @@ public:
         }
         m_calibration->next();
         guide(session,
-              Cli::tr("Extremes: move every stick and switch to all its ends, a few times."));
+              Cli::tr("Extremes: move every stick and switch to all its ends, and hold it at each "
+                      "for a second."));
         const Instant sweepBegin = clockNow();
         const Instant sweepLeast = sweepBegin + toDuration(m_sweepSeconds);
         while (m_calibration->step() == Step::Extremes
@@ -115,6 +116,7 @@ public:
                 giveUp(session, nothingWritten(reason));
                 co_return;
             }
+            guide(session, confidence());
             guide(session, toText(entries(*mode, 0), false));
             if (!m_isConfirmed && !co_await confirmed(session)) {
                 giveUp(session, Cli::tr("Not confirmed. Nothing was written."), exitcode::kUsage);
@@ -136,6 +138,7 @@ public:
         const Reply learned = co_await session.ask(query("get-learned"));
         const auto mask = static_cast<std::uint8_t>(learned.payload.front());
         session.output().answer(toJson(entries(*mode, mask)), toText(entries(*mode, mask)));
+        tellWhatIsNotAsAsked(session);
         session.end();
     }
 
@@ -225,9 +228,7 @@ private:
         if (!m_result) {
             m_calibration->cancel();
         }
-        session.fail(Failure{
-            exitCode,
-            Cli::tr("%1 Nothing was written; --channels chooses the channels.").arg(reason)});
+        session.fail(Failure{exitCode, reason});
     }
 
     /// Why the first chosen channel that could not be learned was not.
@@ -242,6 +243,51 @@ private:
             }
         }
         return {};
+    }
+
+    /// Verdict, reason and figures of each channel, for a person to decide by.
+    QString confidence() const
+    {
+        QStringList lines;
+        for (int channel = 1; channel <= kChannelCount; ++channel) {
+            if (const LearnedChannel* learned = m_calibration->learned(channel)) {
+                const InputKind input = m_calibration->input();
+                lines << Cli::tr("Channel %1: %2. %3")
+                             .arg(channel)
+                             .arg(verdictText(learned->verdict), reasonText(*learned, input));
+                const QStringList figures = figuresText(*learned, input).split(u'\n');
+                for (const QString& figure : figures) {
+                    lines << u"  "_s + figure;
+                }
+            }
+        }
+        return lines.join(u'\n');
+    }
+
+    /// For a script, too: what is worth looking at, and values that are only near those learned.
+    void tellWhatIsNotAsAsked(Session& session) const
+    {
+        std::uint8_t nearest = 0;
+        for (int channel = 1; channel <= kChannelCount; ++channel) {
+            const LearnedChannel* learned = m_calibration->learned(channel);
+            if (learned == nullptr) {
+                continue;
+            }
+            if (learned->verdict == Verdict::Usable) {
+                session.warn(Cli::tr("Channel %1: %2")
+                                 .arg(channel)
+                                 .arg(reasonText(*learned, m_calibration->input())));
+            }
+            const bool isNear = m_calibration->readBack(channel).value_or(learned->calibration)
+                != learned->calibration;
+            nearest = static_cast<std::uint8_t>(nearest | (isNear ? 1U << (channel - 1) : 0U));
+        }
+        if (nearest != 0) {
+            session.warn(Cli::tr("This controller joins calibration bytes as low + 256 × high: "
+                                 "channels %1 hold the nearest values that can be sent that way, "
+                                 "read back.")
+                             .arg(channelListText(nearest)));
+        }
     }
 
     std::vector<CalibrationEntry> entries(Mode mode, std::uint8_t learnedMask) const

@@ -26,7 +26,6 @@ constexpr double kJoinErrors = 4.0; // standard errors that a block may differ b
 constexpr double kJoinRounding = 1.0; // raw
 constexpr std::size_t kMostUsed = 250; // 5 s at 50 Hz
 constexpr Duration kLargestGap = 600ms; // a longer silence ends what was held
-constexpr double kAgreeing = 0.75; // share of the readings: the rest may be spikes
 constexpr std::size_t kLeastUsed = 7; // readings: three spikes in a row make no end
 // By how much more the end is off than the highest third of the window stands out. Swung through in
 // a short time: mass makes a parabola of it, whose middle third stands out by 0.82 to 0.89 of that.
@@ -57,9 +56,13 @@ class Estimator {
 public:
     Estimator(const std::deque<SweepPoint>& sweep, Span core, int sign, double sigma,
               double outlier)
-        : m_sweep(sweep), m_core(core), m_sign(sign), m_sigma(sigma), m_outlier(outlier)
+        : m_sweep(sweep)
+        , m_core(core)
+        , m_sign(sign)
+        , m_sigma(sigma)
+        , m_outlier(outlier)
+        , m_centre(medianOf(all(core)))
     {
-        m_centre = medianOf(all(core));
     }
 
     [[nodiscard]] EndEstimate best() const
@@ -101,7 +104,8 @@ public:
 private:
     static void keepSurer(EndEstimate& best, const EndEstimate& other)
     {
-        if (other.isAgreed && (!best.isAgreed || other.uncertainty < best.uncertainty)) {
+        if (other.agreement > 0.5
+            && (best.agreement <= 0.5 || other.uncertainty < best.uncertainty)) {
             best = other;
         }
     }
@@ -148,7 +152,7 @@ private:
     int m_sign;
     double m_sigma;
     double m_outlier;
-    double m_centre = 0.0;
+    double m_centre;
 };
 
 EndEstimate Estimator::of(Span span) const
@@ -159,7 +163,7 @@ EndEstimate Estimator::of(Span span) const
                          [this](int raw) { return std::abs(raw - m_centre) <= m_outlier; });
     const std::size_t count = values.size();
     EndEstimate estimate;
-    estimate.isAgreed = kAgreeing * double(whole.size()) <= double(count);
+    estimate.agreement = double(count) / double(whole.size());
     if (values.empty()) {
         estimate.value = m_centre;
         estimate.uncertainty = m_outlier;
@@ -231,7 +235,7 @@ std::optional<EndEstimate> Estimator::ofSwing(std::size_t samples) const
     estimate.window = {lowest, highest, static_cast<int>(whole.size()), m_sweep[span.first].time,
                        m_sweep[span.last].time};
     estimate.uncertainty = kVertexError * noiseUncertainty(sigma, whole.size()) + kMisfit * sigma;
-    estimate.isAgreed = true;
+    estimate.agreement = 1.0;
     return estimate;
 }
 

@@ -20,7 +20,7 @@ struct EndEstimate {
     /// ±, raw: the end lies no further away. What the noise leaves open, kNoiseErrors standard
     /// errors wide, and how far the readings still rose or fell within the window.
     double uncertainty = 0.0;
-    bool isAgreed = false; ///< most of the readings of that time lie in the window: no spikes' end
+    double agreement = 0.0; ///< share of the readings of that time that lie in the window, 0 to 1
 };
 
 /// The noise's part of an uncertainty, for so many readings of noise σ.
@@ -29,7 +29,8 @@ struct EndEstimate {
 /// `sweep[first]` to `sweep[last]` is where the best value was sustained, `sign` is 1 for the high
 /// end. Looks at as much of the time before and after as agrees with it, and keeps the part that
 /// makes the end surest: a chosen peak of the noise is no end, but the middle of a long hold is.
-/// Readings further than `outlier` from the sustained value are left out.
+/// Readings further than `outlier` from the sustained value are left out: spikes, and the way
+/// there.
 [[nodiscard]] EndEstimate estimateEnd(const std::deque<SweepPoint>& sweep, std::size_t first,
                                       std::size_t last, int sign, double sigma, double outlier);
 

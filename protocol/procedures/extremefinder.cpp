@@ -18,6 +18,8 @@ constexpr Duration kLargestGap = 600ms; // a longer silence breaks what was held
 constexpr std::size_t kMostKept = 60'000; // 20 minutes at 50 Hz
 
 constexpr double kOutlierSigmas = 5.0;
+constexpr double kManySpikes = 0.02; // share of the readings
+constexpr double kAgreeingAmongSpikes = 0.74; // share of an end's readings
 
 // Rushing past an end: groups of readings in a row beyond it that agree with each other, as spikes
 // do not.
@@ -114,10 +116,13 @@ ExtremeFinder::End ExtremeFinder::end(int sign) const
     if (sign * (reach.value - m_neutral) <= 0.0 || last >= m_sweep.size()) {
         return {m_neutral, {}, 0.0, true};
     }
-    const double outlier = std::max(kOutlierSigmas * m_sigma, m_rules.stillFloor);
+    const double outlier = std::max(kOutlierSigmas * m_sigma, m_rules.stillFloor / 2.0);
     const auto found = estimateEnd(m_sweep, first, last, sign, m_sigma, outlier);
-    return {found.value, found.window, found.uncertainty,
-            found.isAgreed && !isRushedPast(reach, sign)};
+    // Where spikes are many, several in one window may agree, above all at the limit of what is
+    // read.
+    const bool areSpikesMany = spikes() > kManySpikes * double(m_sweep.size());
+    const bool isAgreed = found.agreement > (areSpikesMany ? kAgreeingAmongSpikes : 0.5);
+    return {found.value, found.window, found.uncertainty, isAgreed && !isRushedPast(reach, sign)};
 }
 
 bool ExtremeFinder::isRushedPast(const Reach& reach, int sign) const

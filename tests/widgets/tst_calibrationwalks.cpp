@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole wizard, with its real widgets, over simulated sticks of all kinds.
+#include "protocol/sim/eeprom.h"
 #include "tests/support/fasttime.h"
 #include "tests/widgets/calibrationpanelbench.h"
 #include "widgets/calibration/calibrationhistory.h"
@@ -19,7 +20,7 @@ using Bench = CalibrationPanelBench;
 
 constexpr double kSpeed = 6.0; // as fast as a hand
 constexpr std::uint8_t kFirstTwo = 0b00011;
-const QByteArray kStick = R"("stick":{"neutralSeconds":2.8,"sweepSeconds":3})";
+const QByteArray kStick = R"("stick":{"neutralSeconds":2.8,"sweepSeconds":4.2})";
 const QByteArray kOthersRest = R"({"channel":3,"wave":"hold"},{"channel":4,"wave":"hold"},)"
                                R"({"channel":5,"wave":"hold"})";
 /// From then on a stick of such a scenario does something else than rest and sweep.
@@ -39,6 +40,8 @@ private slots:
     void initTestCase();
     void stick_isLearnedOrDeclined_data();
     void stick_isLearnedOrDeclined();
+    void singleChannel_leavesAllOtherBytes();
+    void eightBitController_getsTheNearestAndSaysSo(); // C-35
     void everyPage_getsItsWorkDone();
     void reversedChannel_isReversedByItsOwnBit();
     void swappedChannels_areTold();
@@ -84,6 +87,62 @@ void TestCalibrationWalks::stick_isLearnedOrDeclined()
     QVERIFY(bench.goTo(u"done"_s));
     QTRY_COMPARE(bench.state(2), u"written"_s);
     QCOMPARE(bench.state(3), u"as before"_s);
+}
+
+void TestCalibrationWalks::singleChannel_leavesAllOtherBytes()
+{
+    Bench bench;
+    const QString state = bench.folder.filePath(u"eeprom.json"_s);
+    const QString port = bench.scenario("{" + kStick + "}") + u"&state="_s + state;
+    const auto contents = [&] {
+        bench.controller.close();
+        return QTest::qWaitFor(
+                   [&bench] { return bench.controller.state() == LinkState::Disconnected; })
+            ? sim::loadEeproms(state)->front()
+            : sim::Eeprom();
+    };
+    const auto learn = [&](std::uint8_t channels) {
+        if (!bench.connectTo(port) || !bench.waitForNext()) {
+            return false;
+        }
+        bench.choose(channels);
+        return bench.goTo(u"done"_s);
+    };
+    QVERIFY(learn(0b11011)); // so that no channel is as the factory made it
+    const sim::Eeprom before = contents();
+    bench.clickNext();
+    QVERIFY(learn(0b00100));
+    const sim::Eeprom after = contents();
+    const int own = sim::Eeprom::calibrationAddress(InputKind::Rc, 3);
+    for (int address = 0; address < sim::Eeprom::kSize; ++address) {
+        if (address < own || address >= own + 8) {
+            QCOMPARE(after.at(address), before.at(address));
+            QCOMPARE(after.writeCount(address), before.writeCount(address));
+        }
+    }
+    QVERIFY(after.calibration(InputKind::Rc, 3) != before.calibration(InputKind::Rc, 3));
+}
+
+void TestCalibrationWalks::eightBitController_getsTheNearestAndSaysSo()
+{
+    Bench bench;
+    QVERIFY(bench.connectTo(bench.scenario("{" + kStick + "}") + u"&quirk=calibration-bytes=8"_s));
+    QVERIFY(bench.waitForNext());
+    bench.choose(kFirstTwo);
+    QVERIFY(bench.goTo(u"done"_s));
+    const QString told = bench.text(u"instruction"_s);
+    QVERIFY2(told.contains(u"nearest values that this controller can take: 1 and 2"_s),
+             qPrintable(told));
+    for (const int channel : {1, 2}) {
+        QCOMPARE(bench.state(channel), u"nearest"_s);
+        const auto held = bench.settings.calibration(InputKind::Rc, channel);
+        QVERIFY(held.has_value());
+        // What is shown is what was read back; and no motor creeps at the stick's rest.
+        QCOMPARE(bench.part<QLabel>(u"%1.neutral"_s.arg(channel))->property("raw").toInt(),
+                 held->neutral);
+        QCOMPARE((ResponseCurve{*held, false, false}.remap(channel == 1 ? 3762 : 3738)), 0);
+    }
+    bench.picture(u"done-nearest"_s);
 }
 
 void TestCalibrationWalks::everyPage_getsItsWorkDone()
