@@ -90,6 +90,7 @@ void PlotTrace::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
     if (m_frame.area.isEmpty()) {
         return;
     }
+    m_columnsAxis = nullptr;
     paintTimeAxis(*painter);
     painter->save();
     painter->setClipRect(m_frame.area.adjusted(0.0, -1.0, 0.0, 1.0));
@@ -315,7 +316,16 @@ void PlotTrace::paintColumns(QPainter& painter, const PlotFrame::Curve& curve, d
     const Duration sinceEpoch = (m_frame.from - curve.shift).time_since_epoch();
     const Instant from(sinceEpoch - sinceEpoch % width);
     const TimeSeries& series = *curve.series;
-    series.columns({from, width, count}, m_columns);
+    const bool isSameGrid = m_grid.from == from && m_grid.width == width && m_grid.count == count;
+    if (m_columnsAxis == &series.axis() && isSameGrid) {
+        for (PlotColumn& column : m_columns) { // of the same samples as the curve before
+            column.extent = series.extent(column.begin, column.end);
+        }
+    } else {
+        m_grid = {from, width, count};
+        m_columnsAxis = &series.axis();
+        series.columns(m_grid, m_columns);
+    }
 
     const double pixel = 1.0 / pixelRatio;
     const double left = m_frame.xOf(from + curve.shift) + pixel / 2;
@@ -352,11 +362,7 @@ void PlotTrace::paintColumns(QPainter& painter, const PlotFrame::Curve& curve, d
     }
     QColor colour = curve.colour;
     colour.setAlpha(colour.alpha() * kColumnAlpha / 255);
-    QPen pen(colour, 1.0);
-    pen.setCosmetic(true);
-    pen.setCapStyle(Qt::FlatCap);
-    painter.setPen(pen);
-    painter.drawLines(m_lines);
+    m_bars.draw(painter, m_lines, colour);
 }
 
 void PlotTrace::paintMessage(QPainter& painter) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/plotbars.h"
 #include "widgets/common/plotframe.h"
 
 #include <QGraphicsItem>
@@ -35,8 +36,11 @@ private:
     void addClipped(const QLineF& line);
 
     PlotFrame m_frame;
-    std::vector<PlotColumn> m_columns; ///< kept for its memory only
+    std::vector<PlotColumn> m_columns; ///< of the curve that was painted last
+    const TimeAxis* m_columnsAxis = nullptr; ///< whose samples they are; none: of an earlier frame
+    ColumnGrid m_grid;
     QList<QLineF> m_lines;
+    PlotBars m_bars;
     double m_dashPlace = 0.0; ///< along the dashed line that is being made
 };
 
