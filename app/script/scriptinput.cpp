@@ -174,6 +174,11 @@ QString click(QObject& object)
         action->trigger();
         return {};
     }
+    if (auto* button = qobject_cast<QPushButton*>(&object); button != nullptr && button->menu()) {
+        // Its own click would wait, in an event loop of the menu, for what the script does next.
+        button->menu()->popup(button->mapToGlobal(button->rect().bottomLeft()));
+        return {};
+    }
     if (auto* button = qobject_cast<QAbstractButton*>(&object)) {
         button->click();
         return {};

@@ -170,13 +170,16 @@ void Controller::drive(const ShapedOrders& orders, QObject* context, ReplyHandle
             commands.push_back(*one);
         }
     }
-    for (const Command& command : commands) {
-        const bool isLast = &command == &commands.back();
-        const quint64 id =
-            isLast ? m_waiting.enlist(context, std::move(handler)) : m_waiting.nextId();
+    const auto submit = [this](quint64 id, const Command& command) {
         m_link->post(
             [transaction = Transaction{.id = id, .command = command, .priority = Priority::Motor}](
                 LinkWorker& worker) { worker.submit(transaction); });
+    };
+    for (std::size_t i = 0; i + 1 < commands.size(); ++i) {
+        submit(m_waiting.nextId(), commands[i]);
+    }
+    if (!commands.empty()) { // the last one's leaving is told
+        submit(m_waiting.enlist(context, std::move(handler)), commands.back());
     }
     if (m_shaper.isRamping() && !m_motion.isActive()) {
         m_motion.start();
@@ -219,6 +222,7 @@ void Controller::stopFor(const Disarming& why, StopKind kind, QObject* context,
 {
     const auto packets = stopPackets(kind);
     std::vector<quint64> ids;
+    ids.reserve(packets.size());
     for (const Transaction& packet : packets) {
         ids.push_back(packet.id);
     }

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t kLines = 8;
 constexpr std::size_t kMostBytes = 32; // two packets of the longest form, and room
+constexpr std::size_t kStackBytes = 32'768;
 constexpr int kReplyMs = 60; // no reply of ours is longer on its way
 
 /// Filled while all is well and read by a signal handler: plain memory, and a size that is set last
@@ -99,7 +100,7 @@ void installCrashHandlers()
 {
 #ifdef Q_OS_UNIX
     // A stack of its own: the crash may be that there is none left.
-    alignas(16) static std::array<char, 32 * 1024> stack;
+    alignas(16) static std::array<char, kStackBytes> stack;
     stack_t alternate{};
     alternate.ss_sp = stack.data();
     alternate.ss_size = stack.size();

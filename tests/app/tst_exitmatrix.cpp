@@ -159,7 +159,7 @@ QByteArray script(const Case& c)
     if (!way.steps.isEmpty()) {
         steps += ',' + way.steps;
         if (!way.endsAtOnce) { // a while in which nothing may reach a motor
-            steps += R"(,{"sleepMs":300})";
+            steps += R"(,{"sleepMs":1000})";
         }
     } else {
         steps += R"(,{"sleepMs":15000})"; // until it is ended from outside
@@ -167,8 +167,14 @@ QByteArray script(const Case& c)
     return "{\"steps\":[" + steps + "]}";
 }
 
-/// Epoch of the step that began the way out, by the report: the last of the way's own.
-std::optional<double> causeOf(const QString& report, const QByteArray& script, const Way& way)
+/// Epochs by the report: when the way out began, by the last of its own steps, and when the script
+/// went on to its end, which stops the motors, too.
+constexpr double kClocksMs = 100.0; ///< the program knows its own start to 10 ms only
+struct Moments {
+    double causeMs = 0.0;
+    double endMs = 0.0; ///< 0: not by the script
+};
+std::optional<Moments> momentsOf(const QString& report, const QByteArray& script, const Way& way)
 {
     const QJsonArray played = QJsonDocument::fromJson(script).object()[u"steps"_s].toArray();
     qsizetype index = 0;
@@ -186,7 +192,11 @@ std::optional<double> causeOf(const QString& report, const QByteArray& script, c
     if (steps.size() <= index) {
         return std::nullopt;
     }
-    return root[u"startupEpochMs"_s].toDouble() + steps.at(index)[u"startMs"_s].toDouble();
+    const double startMs = root[u"startupEpochMs"_s].toDouble();
+    const QJsonValue last = steps.last();
+    return Moments{
+        startMs + steps.at(index)[u"startMs"_s].toDouble(),
+        way.endsAtOnce ? 0.0 : startMs + last[u"startMs"_s].toDouble() + last[u"ms"_s].toDouble()};
 }
 
 bool waitForMotion(const QString& log, bool moves)
@@ -216,8 +226,8 @@ private slots:
 
 private:
     void carryOut(const Case& c, QProcess& program, test::SimWitness& witness, const QString& log,
-                  double& causeMs);
-    void judge(const Case& c, const QString& log, const LineSettings& line, double causeMs);
+                  Moments& moments);
+    void judge(const Case& c, const QString& log, const LineSettings& line, const Moments& moments);
     std::map<QString, std::pair<double, int>> m_worst; ///< ms and runs, by way and state
 };
 
@@ -264,25 +274,25 @@ void TestExitMatrix::wayOut_leavesAllMotorsNeutral()
                    u"--error-detection"_s, form == 2 ? u"crc7"_s : u"none"_s, u"--protocol"_s,
                    form == 1 ? u"pololu"_s : u"compact"_s});
     QVERIFY(program.waitForStarted());
-    double causeMs = 0.0;
-    carryOut(c, program, witness, log, causeMs);
+    Moments moments;
+    carryOut(c, program, witness, log, moments);
     if (QTest::currentTestFailed()) {
         program.kill();
         program.waitForFinished();
         return;
     }
-    if (causeMs == 0.0) {
-        const auto cause = causeOf(report, script(c), ways().at(c.way));
-        QVERIFY2(cause.has_value(), program.readAllStandardError().constData());
-        causeMs = *cause;
+    if (moments.causeMs == 0.0) {
+        const auto told = momentsOf(report, script(c), ways().at(c.way));
+        QVERIFY2(told.has_value(), program.readAllStandardError().constData());
+        moments = *told;
     }
     witness.end();
-    judge(c, log, line, causeMs);
+    judge(c, log, line, moments);
 }
 
 /// Lets it run until it is over.
 void TestExitMatrix::carryOut(const Case& c, QProcess& program, test::SimWitness& witness,
-                              const QString& log, double& causeMs)
+                              const QString& log, Moments& moments)
 {
     const Way& way = ways().at(c.way);
     if (way.steps.isEmpty()) {
@@ -290,7 +300,7 @@ void TestExitMatrix::carryOut(const Case& c, QProcess& program, test::SimWitness
         // Idle: nothing tells that it is armed. A restart is known by a current that was there.
         const bool isEarly = states().at(c.state).moves && way.line != Way::Line::PowerCycle;
         QTest::qWait(isEarly ? 60 : 800);
-        causeMs = static_cast<double>(QDateTime::currentMSecsSinceEpoch());
+        moments.causeMs = static_cast<double>(QDateTime::currentMSecsSinceEpoch());
         switch (way.line) {
         case Way::Line::Fine:
             ::kill(static_cast<pid_t>(program.processId()), way.signalNumber);
@@ -332,7 +342,7 @@ void TestExitMatrix::carryOut(const Case& c, QProcess& program, test::SimWitness
 }
 
 void TestExitMatrix::judge(const Case& c, const QString& log, const LineSettings& line,
-                           double causeMs)
+                           const Moments& moments)
 {
     const Way& way = ways().at(c.way);
     const State& state = states().at(c.state);
@@ -342,7 +352,9 @@ void TestExitMatrix::judge(const Case& c, const QString& log, const LineSettings
     double tookMs = 0.0;
     if (state.moves) {
         QVERIFY(record.restedMs.has_value());
-        tookMs = *record.restedMs - causeMs;
+        tookMs = *record.restedMs - moments.causeMs;
+        QVERIFY2(moments.endMs == 0.0 || *record.restedMs < moments.endMs - kClocksMs,
+                 "it was the end of the script that stopped them");
     }
     auto& worst =
         m_worst[u"%1\t%2"_s.arg(QLatin1StringView(way.name), QLatin1StringView(state.name))];

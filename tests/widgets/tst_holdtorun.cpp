@@ -89,6 +89,40 @@ private slots:
         QCOMPARE(slider->value(), 8);
     }
 
+    void buttons_driveWhileTheyAreHeld()
+    {
+        Bench bench;
+        bench.uiSettings.set(settings::kHoldSpeed, 50);
+        auto* forward = bench.part<QAbstractButton>(u"motors.motor1.holdForward"_s);
+        auto* reverse = bench.part<QAbstractButton>(u"motors.motor2.holdReverse"_s);
+        QVERIFY(!forward->isVisible());
+        QVERIFY(!bench.part<QAbstractButton>(u"motors.aux.holdReverse"_s));
+        bench.part<QCheckBox>(u"motors.hold"_s)->click();
+        QVERIFY(forward->isVisible() && !forward->isEnabled());
+        QVERIFY(arm(bench));
+        QTest::mousePress(forward, Qt::LeftButton);
+        QTRY_COMPARE(bench.lastMotorPacket(), u"C232"_s);
+        QTest::mouseRelease(forward, Qt::LeftButton);
+        QTRY_COMPARE(bench.lastMotorPacket(), u"C200"_s);
+        press(reverse, Qt::Key_Space);
+        QTRY_COMPARE(bench.lastMotorPacket(), u"C932"_s);
+        press(reverse, Qt::Key_Space, true);
+        release(reverse, Qt::Key_Space);
+        QTRY_COMPARE(bench.lastMotorPacket(), u"CA00"_s);
+        press(reverse, Qt::Key_Space); // and its release is lost with the focus
+        QTRY_COMPARE(bench.lastMotorPacket(), u"C932"_s);
+        QFocusEvent focus(QEvent::FocusOut);
+        QCoreApplication::sendEvent(reverse, &focus);
+        QTRY_COMPARE(bench.lastMotorPacket(), u"CA00"_s);
+        QTest::mousePress(forward, Qt::LeftButton);
+        QTRY_COMPARE(bench.lastMotorPacket(), u"C232"_s);
+        bench.controller.stop();
+        QTRY_COMPARE(bench.lastMotorPacket(), u"F000"_s);
+        QTest::mouseRelease(forward, Qt::LeftButton);
+        QTest::qWait(50);
+        QCOMPARE(bench.lastMotorPacket(), u"F000"_s);
+    }
+
     void padKeys_driveWhileTheyAreHeld()
     {
         Bench bench;

@@ -3,6 +3,7 @@
 
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
+#include "widgets/motors/holdbutton.h"
 #include "widgets/motors/motorslider.h"
 
 #include <QFontMetrics>
@@ -59,6 +60,7 @@ MotorRow::MotorRow(MotorId motor, const QString& title, const QString& namePrefi
     grid->addWidget(m_value, 0, 1, 1, 3);
     grid->addWidget(m_slider, 1, 0, 1, 4);
     grid->addWidget(m_zero, 2, 0, Qt::AlignLeft);
+    grid->addWidget(makeHolds(motor, title, namePrefix), 2, 1, Qt::AlignCenter);
     grid->setColumnStretch(1, 1);
     if (motor != MotorId::Aux) {
         m_duty = named(new QSpinBox(this), namePrefix + u".brakeDuty"_s,
@@ -111,9 +113,34 @@ void MotorRow::setLimit(int maximum, int step)
     m_slider->setPageStep(step);
 }
 
-void MotorRow::setSpring(bool springs)
+QWidget* MotorRow::makeHolds(MotorId motor, const QString& title, const QString& prefix)
 {
-    m_slider->setSpring(springs);
+    auto* box = new QWidget(this);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    const auto add = [&](Qt::ArrowType arrow, int sign, const QString& part, const QString& name) {
+        auto* button = named(new HoldButton(arrow, box), prefix + part, name);
+        button->setToolTip(name);
+        row->addWidget(button);
+        m_holds << button;
+        connect(button, &HoldButton::heldChanged, this,
+                [this, sign](bool held) { m_slider->setValue(held ? sign * m_holdSpeed : 0); });
+    };
+    if (motor != MotorId::Aux) {
+        add(Qt::LeftArrow, -1, u".holdReverse"_s, tr("%1 reverse while held").arg(title));
+    }
+    add(Qt::RightArrow, 1, u".holdForward"_s, tr("%1 forward while held").arg(title));
+    return box;
+}
+
+void MotorRow::setHold(bool holds, int speed)
+{
+    m_holdSpeed = speed;
+    m_slider->setSpring(holds);
+    for (HoldButton* button : std::as_const(m_holds)) {
+        button->setVisible(holds);
+    }
 }
 
 void MotorRow::setBraking(int duty)
@@ -135,6 +162,9 @@ void MotorRow::setUsable(bool usable)
         if (control != nullptr) {
             control->setEnabled(usable);
         }
+    }
+    for (HoldButton* button : std::as_const(m_holds)) {
+        button->setEnabled(usable);
     }
 }
 

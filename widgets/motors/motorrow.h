@@ -11,6 +11,7 @@ class QSpinBox;
 
 namespace trex {
 
+class HoldButton;
 class MotorSlider;
 
 /// One motor: title, slider, commanded speed raw and in percent, zero, and a brake with its duty.
@@ -27,7 +28,8 @@ public:
     void setReached(int speed); ///< marked on the slider while a ramp runs
     void setUsable(bool usable);
     void setLimit(int maximum, int step); ///< the slider's ends, and its largest step
-    void setSpring(bool springs); ///< hold to run
+    /// Hold to run: the slider springs back, and buttons run it at this speed while they are held.
+    void setHold(bool holds, int speed);
 
 signals:
     void speedWanted(int speed);
@@ -35,9 +37,12 @@ signals:
 
 private:
     void showSpeed(int speed);
+    [[nodiscard]] QWidget* makeHolds(MotorId motor, const QString& title, const QString& prefix);
     MotorSlider* m_slider;
     QLabel* m_value;
     QPushButton* m_zero;
+    QList<HoldButton*> m_holds; ///< shown with hold to run; reverse is none for the auxiliary motor
+    int m_holdSpeed = 0;
     QPushButton* m_brake = nullptr; ///< none for the auxiliary motor: it has no brake
     QSpinBox* m_duty = nullptr;
 };

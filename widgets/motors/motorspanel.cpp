@@ -188,11 +188,12 @@ void MotorsPanel::followSettings()
     const MotionLimits limits = motionLimits(stored);
     const bool springs = stored.value(settings::kHoldToRun);
     const int step = std::clamp(stored.value(settings::kSliderStep), 1, kFullSpeed);
+    const int holdSpeed = std::clamp(stored.value(settings::kHoldSpeed), 1, kFullSpeed);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows.at(i)->setLimit(limits.maximum.at(i), step);
-        m_rows.at(i)->setSpring(springs);
+        m_rows.at(i)->setHold(springs, holdSpeed);
     }
-    m_pad->setKeySpeed(std::clamp(stored.value(settings::kHoldSpeed), 1, kFullSpeed));
+    m_pad->setKeySpeed(holdSpeed);
     const QSignalBlocker blocker(m_hold);
     m_hold->setChecked(springs);
     showOrders();

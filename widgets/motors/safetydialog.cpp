@@ -161,9 +161,9 @@ QWidget* SafetyDialog::makeLimits()
 
 QWidget* SafetyDialog::makeHolding()
 {
-    auto* group = new QGroupBox(tr("Drive pad"), this);
+    auto* group = new QGroupBox(tr("Hold to run"), this);
     auto* form = new QFormLayout(group);
-    addNumber(*form, settings::kHoldSpeed, u"holdSpeed"_s, tr("Speed of the arrow keys"),
+    addNumber(*form, settings::kHoldSpeed, u"holdSpeed"_s, tr("Speed of keys and buttons"),
               {1, kFullSpeed}, tr(" of 127"));
     return group;
 }
