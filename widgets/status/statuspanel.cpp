@@ -186,7 +186,7 @@ void StatusPanel::refreshFacts()
 
 void StatusPanel::refreshLamps()
 {
-    const QDateTime now = QDateTime::currentDateTime();
+    const QDateTime now = context().latch.now();
     bool fading = false;
     for (const Lamp& lamp : m_lamps) {
         const StatusLatch::Entry& entry = context().latch.entry(lamp.byte, lamp.bit);
