@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPainter>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -30,7 +31,24 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr int kMessageMs = 15'000;
+constexpr std::chrono::seconds kMessageShown{15};
+
+/// A band in a colour that nothing live has, with a hatched edge. Painted: a style sheet would have
+/// the last word on a palette.
+class Banner : public QWidget {
+public:
+    using QWidget::QWidget;
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override
+    {
+        constexpr int kEdge = 8;
+        QPainter painter(this);
+        painter.fillRect(rect(), theme::colour(ColourRole::Warning));
+        painter.fillRect(0, 0, kEdge, height(),
+                         QBrush(theme::colour(ColourRole::Panel), Qt::BDiagPattern));
+    }
+};
 
 } // namespace
 
@@ -68,15 +86,9 @@ QString RecordingWindow::dateText() const
     return started.isValid() ? started.toString(u"yyyy-MM-dd HH:mm:ss"_s) : tr("an unknown date");
 }
 
-/// A band in a colour that nothing live has, with words and a pattern of its own.
 QWidget* RecordingWindow::makeBanner(const QString& path)
 {
-    auto* banner = named(new QWidget(this), u"recording.banner"_s);
-    QPalette palette = banner->palette();
-    palette.setColor(QPalette::Window, theme::colour(ColourRole::Warning));
-    palette.setColor(QPalette::WindowText, theme::colour(ColourRole::Panel));
-    banner->setPalette(palette);
-    banner->setAutoFillBackground(true);
+    auto* banner = named(new Banner(this), u"recording.banner"_s);
     auto* title = named(new QLabel(tr("Recording of %1").arg(dateText()), banner),
                         u"recording.title"_s, tr("This window shows a recording"));
     title->setFont(theme::font(1.25));
@@ -93,11 +105,15 @@ QWidget* RecordingWindow::makeBanner(const QString& path)
     details->setTextFormat(Qt::PlainText);
     details->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     details->setToolTip(QDir::toNativeSeparators(path));
+    for (QLabel* label : {title, details}) {
+        theme::setTextColour(*label, ColourRole::Panel);
+        label->setForegroundRole(QPalette::WindowText); // a tool bar's are those of buttons
+    }
     auto* stop = named(new StopButton(m_live.controller, banner), u"recording.stop"_s,
                        tr("Stop all motors"));
     stop->setToolTip(tr("Stops the motors of the controller that is connected now."));
     auto* row = new QHBoxLayout(banner);
-    row->setContentsMargins(12, 4, 8, 4);
+    row->setContentsMargins(20, 4, 8, 4);
     row->setSpacing(16);
     row->addWidget(title);
     row->addWidget(details, 1);
@@ -122,6 +138,12 @@ void RecordingWindow::makeTop(const QString& path)
     bar->addWidget(top);
     addToolBar(bar);
     setStatusBar(named(new LinkStatusBar(m_context, this), u"recording.status"_s));
+    m_message = named(new QLabel(this), u"recording.message"_s, tr("Message"));
+    m_message->setTextFormat(Qt::PlainText);
+    theme::setTextColour(*m_message, ColourRole::Warning);
+    statusBar()->addPermanentWidget(m_message);
+    m_messageTime.setSingleShot(true);
+    connect(&m_messageTime, &QTimer::timeout, m_message, &QLabel::clear);
     if (const QString remark = m_player->reader().remark(); !remark.isEmpty()) {
         auto* label = named(new QLabel(u"▲ "_s + remark, this), u"recording.remark"_s);
         label->setTextFormat(Qt::PlainText);
@@ -177,7 +199,8 @@ void RecordingWindow::connectPlayer()
     connect(&m_log, &QAbstractItemModel::rowsInserted, this,
             [this](const QModelIndex&, int, int last) {
                 if (!m_isTelling) {
-                    statusBar()->showMessage(m_log.at(last).text, kMessageMs);
+                    m_message->setText(m_log.at(last).text);
+                    m_messageTime.start(kMessageShown);
                 }
             });
 }

@@ -12,6 +12,9 @@
 #include "widgets/common/panel.h"
 
 #include <QMainWindow>
+#include <QTimer>
+
+class QLabel;
 
 namespace trex {
 
@@ -65,6 +68,8 @@ private:
     std::unique_ptr<RecordingPlayer> m_player;
     PlayBar* m_playBar = nullptr;
     PanelDocks* m_docks = nullptr;
+    QLabel* m_message = nullptr;
+    QTimer m_messageTime; ///< how long it is shown
     bool m_isTelling = false; ///< what the log gets is the recording's
 };
 

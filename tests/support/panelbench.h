@@ -32,8 +32,8 @@ public:
         , controller(&store, &latch)
         , settings(controller)
         , timeoutWatch(controller, settings)
-        , context{controller, settings, store,   latch,   log,
-                  uiSettings, ticker,   dialogs, nullptr, &timeoutWatch}
+        , context{controller, settings, store,   latch,   log,     uiSettings,
+                  ticker,     dialogs,  nullptr, nullptr, nullptr, &timeoutWatch}
         , panel(context)
     {
         connect(&controller, &Controller::recordsArrived, this,

@@ -86,6 +86,7 @@ ChannelsPanel::ChannelsPanel(PanelContext& panelContext, QWidget* parent)
     footer->addWidget(m_input, 1);
     footer->addWidget(m_calibrate);
     grid->addLayout(footer, last + 1, 0, 1, 4);
+    m_calibrate->setVisible(!panelContext.controller.isRecording());
     connect(m_calibrate, &QPushButton::clicked, this,
             [this] { emit panelRequested(u"calibration"_s); });
 

@@ -103,6 +103,8 @@ void RecordingTimeline::collect()
     for (int curve = 0; curve < static_cast<int>(kCurves.size()); ++curve) {
         m_columns.at(static_cast<std::size_t>(curve))
             .assign(static_cast<std::size_t>(std::max(1.0, strip().width())), {});
+        m_joined.at(static_cast<std::size_t>(curve))
+            .assign(m_columns.at(static_cast<std::size_t>(curve)).size(), -1);
         if (m_player.loader().isFinished()) {
             collectFromStore(curve);
         } else {
@@ -134,11 +136,20 @@ void RecordingTimeline::collectFromStore(int curve)
     const TimeSeries& series = m_player.store().series(kCurves.at(static_cast<std::size_t>(curve)));
     const Tick whole = m_player.last() - m_player.first() + 1;
     const auto count = static_cast<Tick>(columns.size());
+    auto& joined = m_joined.at(static_cast<std::size_t>(curve));
+    int lastColumn = -1;
+    std::size_t lastSample = 0;
     for (Tick i = 0; i < count; ++i) {
         const auto [begin, end] =
             series.range(RecordingPlayer::instantOf(m_player.first() + whole * i / count),
                          RecordingPlayer::instantOf(m_player.first() + whole * (i + 1) / count));
         columns[static_cast<std::size_t>(i)] = series.extent(begin, end);
+        if (begin < end) { // a gap is not bridged
+            const bool isGap = lastColumn >= 0 && series.axis().hasGapBetween(lastSample, begin);
+            joined[static_cast<std::size_t>(i)] = isGap ? -1 : lastColumn;
+            lastColumn = static_cast<int>(i);
+            lastSample = end - 1;
+        }
     }
 }
 
@@ -160,8 +171,8 @@ void RecordingTimeline::collectFromSummaries(int curve)
 
 void RecordingTimeline::drawCurves(QPainter& painter) const
 {
-    const QRectF area = strip().adjusted(0, kEventsHeight, 0, 0);
-    const auto yOf = [&](int value) {
+    const QRectF area = strip().adjusted(0, kEventsHeight, 0, -2);
+    const auto yOf = [&](double value) {
         return area.bottom() - area.height() * value / std::max(m_highest, 1);
     };
     for (std::size_t curve = 0; curve < kCurves.size(); ++curve) {
@@ -169,9 +180,19 @@ void RecordingTimeline::drawCurves(QPainter& painter) const
         painter.setPen(QPen(colour, 1.0));
         for (std::size_t i = 0; i < m_columns[curve].size(); ++i) {
             const Extent& extent = m_columns[curve][i];
-            if (!extent.isEmpty()) {
-                const double x = area.left() + static_cast<double>(i) + 0.5;
-                painter.drawLine(QPointF(x, yOf(extent.low)), QPointF(x, yOf(extent.high) - 0.5));
+            if (extent.isEmpty()) {
+                continue;
+            }
+            const double x = area.left() + static_cast<double>(i) + 0.5;
+            painter.drawLine(QPointF(x, yOf(extent.low)), QPointF(x, yOf(extent.high) - 0.5));
+            const int from = m_joined[curve][i];
+            const Extent before =
+                from < 0 ? Extent() : m_columns[curve][static_cast<std::size_t>(from)];
+            if (!before.isEmpty()) {
+                const double middle = (before.low + before.high) / 2.0;
+                const double here = std::clamp<double>(middle, extent.low, extent.high);
+                painter.drawLine(QPointF(area.left() + from + 0.5, yOf(middle)),
+                                 QPointF(x, yOf(here)));
             }
         }
     }

@@ -52,6 +52,7 @@ private:
 
     RecordingPlayer& m_player;
     std::array<std::vector<Extent>, 2> m_columns; ///< by motor, a pixel each
+    std::array<std::vector<int>, 2> m_joined; ///< a column that the line comes to this one from; −1
     std::vector<int> m_worst; ///< severity of what happened, a pixel each; −1: nothing
     int m_highest = 1;
 };
