@@ -82,10 +82,12 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      .advice = QT_TRANSLATE_NOOP("Errors", "Correct that place, or choose another file.")},
     {.code = ErrorCode::FileUnwritable, .what = QT_TRANSLATE_NOOP("Errors", "Could not write %1"),
      .advice = QT_TRANSLATE_NOOP("Errors", "Check its folder, that you may write there, and that the disk is not full."), .subject = kFile},
+    {.code = ErrorCode::IsRecording, .what = QT_TRANSLATE_NOOP("Errors", "This is a recording: nothing here reaches a controller"),
+     .advice = QT_TRANSLATE_NOOP("Errors", "Use the window of the controller that is connected.")},
 });
 // clang-format on
 
-static_assert(kErrors.size() == static_cast<std::size_t>(ErrorCode::FileUnwritable) + 1);
+static_assert(kErrors.size() == static_cast<std::size_t>(ErrorCode::IsRecording) + 1);
 static_assert([] {
     for (std::size_t i = 0; i < kErrors.size(); ++i) {
         if (static_cast<std::size_t>(kErrors[i].code) != i || kErrors[i].what == nullptr) {

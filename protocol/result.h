@@ -45,6 +45,8 @@ enum class ErrorCode {
     FileUnreadable,
     FileMalformed,
     FileUnwritable,
+    // recordings
+    IsRecording, ///< asked of a controller that is only shown as it was
 };
 
 /// An error: its kind, and the words that say where (a port, a key, a line of a file). Made into

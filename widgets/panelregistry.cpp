@@ -31,16 +31,16 @@ Panel* make(PanelContext& context, QWidget* parent)
 // clang-format off
 constexpr std::array kPanels {
     PanelRow {.id = "connection",  .title = QT_TRANSLATE_NOOP("Panels", "Connection"),     .icon = "connection", .area = Qt::LeftDockWidgetArea,   .order = 0, .make = make<ConnectionPanel>},
-    PanelRow {.id = "status",      .title = QT_TRANSLATE_NOOP("Panels", "Status"),         .icon = "status",     .area = Qt::LeftDockWidgetArea,   .order = 0, .make = make<StatusPanel>},
-    PanelRow {.id = "motors",      .title = QT_TRANSLATE_NOOP("Panels", "Motors"),         .icon = "motor",      .area = Qt::LeftDockWidgetArea,   .order = 1, .make = make<MotorsPanel>},
-    PanelRow {.id = "currents",    .title = QT_TRANSLATE_NOOP("Panels", "Motor currents"), .icon = "currents",   .area = Qt::TopDockWidgetArea,    .order = 0, .make = make<CurrentsPanel>},
-    PanelRow {.id = "plots",       .title = QT_TRANSLATE_NOOP("Panels", "Plots"),          .icon = "plots",      .area = Qt::TopDockWidgetArea,    .order = 0, .make = make<PlotsPanel>},
-    PanelRow {.id = "parameters",  .title = QT_TRANSLATE_NOOP("Panels", "Parameters"),     .icon = "parameters", .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<ParametersPanel>},
-    PanelRow {.id = "packets",     .title = QT_TRANSLATE_NOOP("Panels", "Packets"),        .icon = "packets",    .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<PacketsPanel>},
-    PanelRow {.id = "log",         .title = QT_TRANSLATE_NOOP("Panels", "Log"),            .icon = "log",        .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<LogPanel>},
+    PanelRow {.id = "status",      .title = QT_TRANSLATE_NOOP("Panels", "Status"),         .icon = "status",     .area = Qt::LeftDockWidgetArea,   .order = 0, .make = make<StatusPanel>, .inRecordings = true},
+    PanelRow {.id = "motors",      .title = QT_TRANSLATE_NOOP("Panels", "Motors"),         .icon = "motor",      .area = Qt::LeftDockWidgetArea,   .order = 1, .make = make<MotorsPanel>, .inRecordings = true},
+    PanelRow {.id = "currents",    .title = QT_TRANSLATE_NOOP("Panels", "Motor currents"), .icon = "currents",   .area = Qt::TopDockWidgetArea,    .order = 0, .make = make<CurrentsPanel>, .inRecordings = true},
+    PanelRow {.id = "plots",       .title = QT_TRANSLATE_NOOP("Panels", "Plots"),          .icon = "plots",      .area = Qt::TopDockWidgetArea,    .order = 0, .make = make<PlotsPanel>, .inRecordings = true},
+    PanelRow {.id = "parameters",  .title = QT_TRANSLATE_NOOP("Panels", "Parameters"),     .icon = "parameters", .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<ParametersPanel>, .inRecordings = true},
+    PanelRow {.id = "packets",     .title = QT_TRANSLATE_NOOP("Panels", "Packets"),        .icon = "packets",    .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<PacketsPanel>, .inRecordings = true},
+    PanelRow {.id = "log",         .title = QT_TRANSLATE_NOOP("Panels", "Log"),            .icon = "log",        .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<LogPanel>, .inRecordings = true},
     PanelRow {.id = "calibration", .title = QT_TRANSLATE_NOOP("Panels", "Calibration"),    .icon = "calibrate",  .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<CalibrationPanel>},
     PanelRow {.id = "bench",       .title = QT_TRANSLATE_NOOP("Panels", "Bench tests"),    .icon = "play",       .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<BenchPanel>},
-    PanelRow {.id = "channels",    .title = QT_TRANSLATE_NOOP("Panels", "Channels"),       .icon = "channels",   .area = Qt::RightDockWidgetArea,  .order = 0, .make = make<ChannelsPanel>},
+    PanelRow {.id = "channels",    .title = QT_TRANSLATE_NOOP("Panels", "Channels"),       .icon = "channels",   .area = Qt::RightDockWidgetArea,  .order = 0, .make = make<ChannelsPanel>, .inRecordings = true},
 };
 // clang-format on
 

@@ -17,6 +17,7 @@ struct PanelRow {
     Qt::DockWidgetArea area;
     int order; ///< within the area; equal orders are tabbed together
     Panel* (*make)(PanelContext& context, QWidget* parent);
+    bool inRecordings = false; ///< has something to show without a controller: of a recording
 };
 
 [[nodiscard]] std::span<const PanelRow> panels();

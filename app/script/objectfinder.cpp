@@ -67,10 +67,25 @@ bool isBehindTab(const QDockWidget& dock)
 
 } // namespace
 
-Found findObject(const QString& name)
+Found findObject(const QString& path)
 {
-    const QSet<QObject*> found = objectsInWindows(
-        [&name](const QObject& candidate) { return candidate.objectName() == name; });
+    const QString window = path.contains(u'/') ? path.section(u'/', 0, 0) : QString();
+    const QString name = path.section(u'/', window.isEmpty() ? 0 : 1);
+    const auto isIn = [](const QObject& object, const QString& owner) {
+        for (const QObject* each = &object; each != nullptr; each = each->parent()) {
+            if (each->objectName() == owner) {
+                return true;
+            }
+        }
+        return false;
+    };
+    QSet<QObject*> found = objectsInWindows([&](const QObject& candidate) {
+        return candidate.objectName() == name && (window.isEmpty() || isIn(candidate, window));
+    });
+    if (window.isEmpty() && found.size() > 1) {
+        // A window of a recording has the same panels: unless it is named, the live one is meant.
+        found.removeIf([&](QObject* object) { return isIn(*object, u"recordingWindow"_s); });
+    }
     if (found.isEmpty()) {
         return {.problem = u"There is no object \"%1\"."_s.arg(name) + suggestions(name)};
     }

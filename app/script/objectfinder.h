@@ -14,7 +14,8 @@ struct Found {
     QString problem{}; ///< a sentence when there is no object: missing, or more than one
 };
 
-/// Looks in all windows that are open, in their actions too.
+/// Looks in all windows that are open, in their actions too. "window/name" looks in that window
+/// only; without it, of two the one outside of a recording's window is meant.
 [[nodiscard]] Found findObject(const QString& name);
 
 /// Opens the dock and turns to the tab that the widget stands in. True when the widget can be seen

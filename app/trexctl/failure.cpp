@@ -43,6 +43,7 @@ int exitCodeOf(ErrorCode code)
     case ErrorCode::FileUnreadable:
     case ErrorCode::FileMalformed:
     case ErrorCode::FileUnwritable:
+    case ErrorCode::IsRecording:
         break;
     }
     return exitcode::kUsage;

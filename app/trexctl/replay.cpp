@@ -21,10 +21,35 @@ sim::Trace traceOf(const TimeSeries& series, Instant start)
     return trace;
 }
 
+/// The settings that the controller had at the start. Those of the line stay as they are, so that
+/// whoever connects finds it; what --param says comes first.
+void applySettings(RecordingReader& reader, sim::SimOptions& options)
+{
+    const auto configurations = reader.configurations();
+    if (configurations.empty()) {
+        return;
+    }
+    // The first that is whole: a recording may begin before everything was read.
+    const auto whole = std::max_element(
+        configurations.begin(), configurations.end(),
+        [](const RecordedConfiguration& a, const RecordedConfiguration& b) {
+            return a.configuration.parameters.size() < b.configuration.parameters.size();
+        });
+    for (const auto& [number, raw] : whole->configuration.parameters) {
+        const bool isOfLine = number == parameterRow("device-number").number
+            || number == parameterRow("uart-settings").number
+            || number == parameterRow("crc7-polynomial").number;
+        if (!isOfLine) {
+            options.parameters.emplace(number, raw);
+        }
+    }
+}
+
 } // namespace
 
-Result<void> replayRecording(const QString& path, sim::Scenario& scenario)
+Result<void> replayRecording(const QString& path, sim::SimOptions& options)
 {
+    sim::Scenario& scenario = options.scenario;
     const auto reader = RecordingReader::open(path);
     if (!reader) {
         return tl::make_unexpected(reader.error());
@@ -46,6 +71,7 @@ Result<void> replayRecording(const QString& path, sim::Scenario& scenario)
         }
         isAnything = isAnything || !series.isEmpty();
     }
+    applySettings(**reader, options);
     if (!isAnything) {
         return fail(ErrorCode::FileMalformed,
                     QStringLiteral("%1: %2").arg(

@@ -27,21 +27,6 @@ namespace trex {
 
 using namespace Qt::Literals::StringLiterals;
 
-namespace {
-
-QStringList filesOf(const QMimeData& data)
-{
-    QStringList paths;
-    for (const QUrl& url : data.urls()) {
-        if (url.isLocalFile()) {
-            paths << url.toLocalFile();
-        }
-    }
-    return paths;
-}
-
-} // namespace
-
 MainWindow::MainWindow(PanelContext& context, Recordings& recordings, const QString& theme,
                        const QString& language)
     : m_context(context)
@@ -152,14 +137,14 @@ bool MainWindow::event(QEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (!filesOf(*event->mimeData()).isEmpty()) {
+    if (!filesIn(*event->mimeData()).isEmpty()) {
         event->acceptProposedAction();
     }
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    for (const QString& path : filesOf(*event->mimeData())) {
+    for (const QString& path : filesIn(*event->mimeData())) {
         emit recordingChosen(path);
     }
     event->acceptProposedAction();

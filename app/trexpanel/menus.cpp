@@ -8,6 +8,8 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QMenu>
+#include <QMimeData>
+#include <QUrl>
 
 namespace trex {
 
@@ -43,6 +45,17 @@ void addJournal(QMenu& menu, PanelContext& context, QWidget& window)
         addEntry(menu, u"journal"_s, JournalDialog::tr("&Journal…"), u"log"_s,
                  [&context, &window] { JournalDialog::bringForward(context, &window); });
     }
+}
+
+QStringList filesIn(const QMimeData& data)
+{
+    QStringList paths;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            paths << url.toLocalFile();
+        }
+    }
+    return paths;
 }
 
 } // namespace trex

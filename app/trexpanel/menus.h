@@ -9,6 +9,7 @@
 
 class QAction;
 class QMenu;
+class QMimeData;
 class QWidget;
 
 namespace trex {
@@ -26,5 +27,8 @@ QAction* addEntry(QMenu& menu, const QString& part, const QString& text, const Q
 
 /// The entry that opens the journal of the window, if writes are recorded.
 void addJournal(QMenu& menu, PanelContext& context, QWidget& window);
+
+/// The files of this computer that were dragged.
+[[nodiscard]] QStringList filesIn(const QMimeData& data);
 
 } // namespace trex

@@ -93,6 +93,8 @@ std::optional<int> parsePanelOptions(int argc, char** argv, PanelOptions& option
                      .toStdString());
     app.add_flag("--offscreen", options.offscreen,
                  words(QT_TRANSLATE_NOOP("Options", "needs no display")).toStdString());
+    addText(app, "FILE", "FILE", options.recording,
+            QT_TRANSLATE_NOOP("Options", "a recording to open beside the panel"));
     addText(app, "--script", "FILE", options.script,
             QT_TRANSLATE_NOOP(
                 "Options", "play this script, then exit: 0 passed, 1 a step failed, 2 unreadable"));

@@ -14,6 +14,7 @@ struct PanelOptions {
     LineOptionValues line;
     bool simulate = false;
     bool offscreen = false;
+    QString recording; ///< to be opened; "": none
     QString script;
     QString report;
     QString screenshots; ///< "": left out

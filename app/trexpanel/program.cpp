@@ -51,16 +51,21 @@ Program::Program(PanelOptions options)
     , m_journal(journalPath(m_file.path()))
     , m_audit(m_controller, m_deviceSettings, m_journal, WriteAudit::WhenUnsaved::RefuseOnce)
     , m_markKeeper(m_marks, m_controller, m_latch, m_deviceSettings)
-    , m_context{m_controller, m_deviceSettings, m_store, m_latch, m_log, m_settings,
-                m_ticker, m_fileDialogs, &m_audit, &m_marks, &m_references, &m_timeoutWatch}
+    , m_context{m_controller, m_deviceSettings, m_store,  m_latch,  m_log,         m_settings,
+                m_ticker,     m_fileDialogs,    &m_audit, &m_marks, &m_references, &m_timeoutWatch}
     , m_recordings(
           m_context,
           {{QString::fromLatin1(recordingfact::kProgram), u"trexpanel"_s},
            {QString::fromLatin1(recordingfact::kProgramVersion), QString::fromLatin1(kVersion)}})
+    , m_recordingFiles(m_context)
 {
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, this, &Program::finish);
     connect(&m_controller, &Controller::stateChanged, this, &Program::onStateChanged);
+    connect(&m_recordingFiles, &RecordingFiles::failed, this, [this](const QString& sentence) {
+        m_log.add(EventLog::Failure, sentence);
+        m_window->bringForward(u"log"_s);
+    });
     logEvents();
     limitHistory();
 }
@@ -144,6 +149,11 @@ Result<void> Program::start()
     if (!line) {
         return tl::make_unexpected(line.error());
     }
+    if (!m_options.recording.isEmpty()) { // what is wrong with it is told before anything is shown
+        if (const auto readable = RecordingReader::open(m_options.recording); !readable) {
+            return tl::make_unexpected(readable.error());
+        }
+    }
     if (const Result<void> script = prepareScript(); !script) {
         return script;
     }
@@ -158,6 +168,9 @@ Result<void> Program::start()
             m_player->start();
         }
     });
+    if (!m_options.recording.isEmpty()) {
+        m_recordingFiles.openOrTell(m_options.recording);
+    }
     if (!line->port.isEmpty()) {
         m_window->bringForward(u"status"_s);
         m_controller.open(*line);
@@ -171,6 +184,10 @@ void Program::makeWindow()
     connect(m_window.get(), &MainWindow::closeRequested, this, &Program::quit);
     connect(m_window.get(), &MainWindow::themeChosen, this, &Program::chooseTheme);
     connect(m_window.get(), &MainWindow::languageChosen, this, &Program::chooseLanguage);
+    connect(m_window.get(), &MainWindow::recordingChosen, &m_recordingFiles,
+            &RecordingFiles::openOrTell);
+    connect(m_window.get(), &MainWindow::comparisonChosen, this,
+            [this](const QString& path) { m_recordingFiles.compare(path, m_references); });
     m_window->show();
 }
 
@@ -246,6 +263,7 @@ void Program::finish()
             }
         }
     }
+    m_recordingFiles.closeAll();
     m_window->hide();
     QCoreApplication::exit(exitCode);
 }

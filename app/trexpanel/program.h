@@ -3,6 +3,7 @@
 
 #include "app/trexpanel/languages.h"
 #include "app/trexpanel/paneloptions.h"
+#include "app/trexpanel/recordingfiles.h"
 #include "app/trexpanel/safetywatch.h"
 #include "protocol/procedures/markkeeper.h"
 #include "protocol/procedures/writeaudit.h"
@@ -78,6 +79,7 @@ private:
     Recordings m_recordings;
     std::unique_ptr<Metrics> m_metrics;
     std::unique_ptr<ScriptPlayer> m_player;
+    RecordingFiles m_recordingFiles;
     std::unique_ptr<MainWindow> m_window; ///< last: its panels use all of the above
     QTimer m_patience; ///< how long closing the line may take
     QString m_theme; ///< key in force

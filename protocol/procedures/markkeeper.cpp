@@ -111,6 +111,17 @@ void MarkKeeper::onLatch()
     }
 }
 
+std::vector<Mark> MarkKeeper::marksOf(StatusLatch::Byte byte, std::uint8_t risen, Instant time)
+{
+    std::vector<Mark> marks;
+    for (const BitRow& row : kBits) {
+        if (row.byte == byte && (row.mask & risen) != 0) {
+            marks.push_back({time, row.kind, tr(row.text)});
+        }
+    }
+    return marks;
+}
+
 void MarkKeeper::onWrite(const WriteIntent& intent, const WriteConclusion& conclusion)
 {
     if (conclusion.result == WriteResult::Refused || conclusion.result == WriteResult::Old) {

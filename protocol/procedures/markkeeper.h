@@ -23,6 +23,9 @@ public:
     /// All outlive it.
     MarkKeeper(MarkTrack& track, Controller& controller, const StatusLatch& latch,
                DeviceSettings& settings, QObject* parent = nullptr);
+    /// The marks of bits that a read found set and the read before did not.
+    [[nodiscard]] static std::vector<Mark> marksOf(StatusLatch::Byte byte, std::uint8_t risen,
+                                                   Instant time);
 
 private:
     void add(MarkKind kind, const QString& text = {});

@@ -104,6 +104,10 @@ void Controller::closeQuietly()
 
 void Controller::open(const OpenOptions& options)
 {
+    if (m_isRecording) {
+        emit eventLogged(1, errorText({ErrorCode::IsRecording, {}}));
+        return;
+    }
     if (m_isClosing || m_state != LinkState::Disconnected) {
         close();
         m_openNext = options;
@@ -128,7 +132,7 @@ void Controller::open(const OpenOptions& options)
 void Controller::close()
 {
     m_openNext.reset();
-    if (m_isClosing || (m_state == LinkState::Disconnected && m_generation == 0)) {
+    if (m_isRecording || m_isClosing || (m_state == LinkState::Disconnected && m_generation == 0)) {
         return;
     }
     m_isClosing = true;
@@ -156,7 +160,9 @@ void Controller::request(const Command& command, QObject* context, ReplyHandler 
     if (verdict && command.row().kind == CommandKind::Motor) {
         verdict = fail(ErrorCode::BadCommand, describe(command));
     }
-    if (verdict && m_state != LinkState::Connected) {
+    if (verdict && m_isRecording) {
+        verdict = fail(ErrorCode::IsRecording);
+    } else if (verdict && m_state != LinkState::Connected) {
         verdict = fail(ErrorCode::NotConnected);
     }
     if (!verdict) {
@@ -175,6 +181,8 @@ void Controller::requestRaw(const QByteArray& bytes, int replyBytes, QObject* co
     Result<void> verdict;
     if (bytes.isEmpty()) {
         verdict = fail(ErrorCode::BadCommand);
+    } else if (m_isRecording) {
+        verdict = fail(ErrorCode::IsRecording);
     } else if (m_state != LinkState::Connected) {
         verdict = fail(ErrorCode::NotConnected);
     } else if (holdsMotorCommand(bytes)) {

@@ -15,12 +15,12 @@ namespace trex {
 
 class LinkSampler;
 class LinkThread;
+struct RecordedState;
 class StatusLatch;
 class TelemetryStore;
 
-/// One controller, as the panels and the command line see it. Lives on the main thread; the only
-/// object that talks to the link thread. Every motor command of every panel and verb passes its
-/// gate (driveMotor, driveBoth, stop).
+/// One controller, as the panels and the command line see it. Main thread; the only object that
+/// talks to the link thread. Every motor command passes its gate (driveMotor, driveBoth, stop).
 class Controller : public QObject {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(Controller)
@@ -32,8 +32,7 @@ public:
     Controller(TelemetryStore* store, StatusLatch* latch, QObject* parent = nullptr);
     ~Controller() override;
     void open(const OpenOptions& options);
-    /// Stops the motors (stopOnClose), then closes; closed() follows within a bounded time.
-    void close();
+    void close(); ///< stops the motors (stopOnClose) before; closed() follows in bounded time
     void closeQuietly(); ///< close(), but a line that does not answer is told nothing
     [[nodiscard]] LinkState state() const { return m_state; }
     [[nodiscard]] std::optional<Error> lastError() const { return m_lastError; }
@@ -56,8 +55,7 @@ public:
     /// Errors: NotConnected, LockedOut (just after a stop).
     [[nodiscard]] Result<void> arm();
     void disarm(); ///< stops, then closes the gate
-    /// The same when armed, for this reason, which is kept, told and logged.
-    void disarm(DisarmReason reason, const QString& detail = {});
+    void disarm(DisarmReason reason, const QString& detail = {}); ///< when armed; kept and told
     /// Within the motion limits. Errors: Disarmed, OutOfRange, NotConnected, LockedOut. The
     /// handler, if any, is told when the packet has left (payload empty).
     Result<void> driveMotor(MotorId motor, const MotorOrder& order, QObject* context = {},
@@ -79,11 +77,13 @@ public:
     void beSilentFor(std::chrono::milliseconds duration);
     void endSilence(); ///< the timeout disarms again
     [[nodiscard]] bool isSilent() const { return m_expectsTimeout; }
-    /// Longest from a stop request to its last byte on the line, this connection.
     [[nodiscard]] double stopLatencyMsMax() const { return m_gate.stopLatencyMsMax(); }
+    void becomeRecording(); ///< for good: shows what was known then, reaches no line
+    [[nodiscard]] bool isRecording() const { return m_isRecording; }
+    void show(const RecordedState& state);
+    void showRecords(const std::vector<TransactionRecord>& records, bool isAnew);
     void powerCycleSimulator(); ///< of `sim:`; nothing on any other port
-    /// It has been off, as the evidence (a clause for the log) says: disarms, then restarted().
-    void noteRestart(const QString& evidence);
+    void noteRestart(const QString& evidence); ///< it was off, as this clause says: disarms
 
 signals:
     void stateChanged(trex::LinkState state);
@@ -96,11 +96,10 @@ signals:
     void ordersChanged(); ///< lastOrder() or sentOrder() of some motor
     void batchArrived(); ///< store and latch hold new values; at most 60 times a second
     void recordsArrived(const std::vector<trex::TransactionRecord>& records);
-    /// A plain sentence for the log. `severity`: 0 information, 1 warning, 2 error.
-    void eventLogged(int severity, const QString& text);
+    void recordsForgotten(); ///< those told before are no longer the past (a playhead jumped)
+    void eventLogged(int severity, const QString& text); ///< 0 information, 1 warning, 2 error
     void restarted(); ///< it has been off, or may have: what waited for that is in force now
     void reconnected(); ///< connected again after a loss: whatever was read before may be old
-
 private:
     void onBatch(const LinkBatch& batch);
     void onEvent(const LinkEvent& event);
@@ -121,7 +120,7 @@ private:
     [[nodiscard]] Result<void> mayDrive() const;
     void refuse(quint64 id, const Error& error); ///< from the event loop
     void sendWishes();
-
+    void showOrders(const std::array<MotorOrder, 3>& orders);
     TelemetryStore* m_store;
     StatusLatch* m_latch;
     std::unique_ptr<LinkSampler> m_sampler; ///< none without a store
@@ -138,6 +137,7 @@ private:
     bool m_wasSilent = false; ///< the last loss was the controller's silence, not the port's end
     bool m_isClosing = false;
     bool m_expectsTimeout = false; ///< of a silence on purpose
+    bool m_isRecording = false;
     std::optional<Mode> m_lastMode; ///< of this connection, kept over losses
     std::optional<OpenOptions> m_openNext; ///< asked for while closing
     MotorGate m_gate;

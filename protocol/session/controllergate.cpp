@@ -67,6 +67,9 @@ void Controller::watchMotion()
 
 Result<void> Controller::mayDrive() const
 {
+    if (m_isRecording) {
+        return fail(ErrorCode::IsRecording);
+    }
     if (m_state != LinkState::Connected || m_isClosing) {
         return fail(ErrorCode::NotConnected);
     }
@@ -220,6 +223,10 @@ void Controller::stop(StopKind kind, QObject* context, ReplyHandler handler)
 void Controller::stopFor(const Disarming& why, StopKind kind, QObject* context,
                          ReplyHandler handler)
 {
+    if (m_isRecording) {
+        emit lockedOut(); // whoever presses STOP means the motors that run now
+        return;
+    }
     const auto packets = stopPackets(kind);
     std::vector<quint64> ids;
     ids.reserve(packets.size());

@@ -89,6 +89,25 @@ bool DeviceSettings::isPending(std::uint8_t number) const
     return before != m_inForce.end() && before->second != *stored;
 }
 
+void DeviceSettings::show(const std::map<std::uint8_t, int>& parameters,
+                          const Calibrations& calibrations)
+{
+    m_parameters = parameters;
+    m_calibrations.clear();
+    for (const auto& [input, channels] : calibrations) {
+        for (const auto& [channel, calibration] : channels) {
+            m_calibrations[{input, channel}] = calibration;
+        }
+    }
+    emit forgotten(); // what is no longer known, and what is
+    for (const auto& [number, raw] : m_parameters) {
+        emit parameterChanged(number);
+    }
+    for (const auto& [key, calibration] : m_calibrations) {
+        emit calibrationChanged(key.first, key.second);
+    }
+}
+
 void DeviceSettings::store(const ParameterRow& row, int raw)
 {
     m_parameters[row.number] = raw;
@@ -100,6 +119,12 @@ void DeviceSettings::readParameter(const ParameterRow& row, QObject* context,
 {
     if (row.isTrigger) {
         handler(fail(ErrorCode::BadParameterNumber, QString::fromLatin1(row.key)));
+        return;
+    }
+    if (m_controller.isRecording()) {
+        const auto known = parameter(row.number);
+        handler(known ? Result<int>(*known)
+                      : fail(ErrorCode::IsRecording, QString::fromLatin1(row.key)));
         return;
     }
     m_controller.request(trex::readParameter(row.number), context,
@@ -170,6 +195,11 @@ void DeviceSettings::readCalibration(int channel, QObject* context,
 void DeviceSettings::readAll(QObject* context, const std::function<void(int, int)>& progress,
                              const Handler<void>& handler)
 {
+    if (m_controller.isRecording()) { // what was known then is shown already
+        QMetaObject::invokeMethod(
+            context, [handler] { handler({}); }, Qt::QueuedConnection);
+        return;
+    }
     // The mode says which set the calibrations belong to.
     m_controller.request(query("get-mode"), context, [=, this](const Result<Reply>& reply) {
         if (!reply) {

@@ -66,6 +66,10 @@ public:
     /// 0x7F with data 0x7F: factory defaults, in force after a power cycle.
     void factoryReset(QObject* context, const Handler<void>& handler);
 
+    using Calibrations = std::map<InputKind, std::map<int, Calibration>>;
+    /// Of a recording: the settings as they were known then, in place of all that is known.
+    void show(const std::map<std::uint8_t, int>& parameters, const Calibrations& calibrations);
+
 signals:
     void parameterChanged(int number); ///< a read or a read-back brought a value
     void calibrationChanged(trex::InputKind input, int channel);

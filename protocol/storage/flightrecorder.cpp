@@ -158,6 +158,10 @@ void FlightRecorder::forgetOld()
 
 void FlightRecorder::freeze(const QString& reason)
 {
+    if (m_after.isActive() && reason == u"fault"_s) {
+        m_reason = reason; // the stop that is about to be frozen was its consequence
+        return;
+    }
     const Instant now = clockNow();
     const bool isTooSoon = m_lastFreeze && now - *m_lastFreeze < m_policy.distance;
     if (!m_policy.isEnabled || m_policy.folder.isEmpty() || isTooSoon) {

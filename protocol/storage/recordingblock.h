@@ -18,8 +18,9 @@ using Tick = TimeAxis::Tick; ///< 10 µs
 /// A block is full with so many samples, or when it spans so long.
 inline constexpr std::size_t kBlockSamples = 1024;
 inline constexpr Tick kBlockSpan = std::chrono::seconds(60) / TimeAxis::kTick;
-/// Times beyond ± 5700 years are no times: sums and differences of others cannot overflow.
-inline constexpr Tick kLargestTick = Tick(1) << 54;
+/// Times beyond ± 89 years are no times: sums and differences of others do not overflow, not even
+/// as nanoseconds.
+inline constexpr Tick kLargestTick = Tick(1) << 48;
 
 /// Indices into streams() of what one source fills, in the order of a block's columns. Empty for a
 /// poll of a state (mode, who controls).

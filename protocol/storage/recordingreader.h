@@ -57,6 +57,7 @@ public:
     [[nodiscard]] std::vector<RecordedHealth> health();
     [[nodiscard]] std::vector<RecordedConfiguration> configurations();
     [[nodiscard]] std::size_t packetCount();
+    [[nodiscard]] std::size_t packetsUpTo(Tick tick); ///< how many were sent by then
     /// At most `most` packets from the `from`-th on.
     [[nodiscard]] std::vector<RecordedPacket> packets(std::size_t from, std::size_t most);
 
@@ -100,6 +101,7 @@ private:
     std::vector<Block> m_blocks; ///< by time of the first sample
     std::vector<std::vector<Summary>> m_summaries; ///< by stream, in order of blocks
     std::size_t m_nextBlock = 0; ///< to be loaded
+    std::optional<std::size_t> m_packetCount;
     std::size_t m_damaged = 0; ///< rows and blocks left out
     bool m_isForeign = false; ///< holds streams that this program does not know
 };

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostBlocks = 8'000'000; // more than a year of everything
 constexpr std::size_t kMostEntries = 2'000'000;
+constexpr std::size_t kMostPackets = std::size_t(1) << 40U;
 constexpr int kLongestText = 4096;
 constexpr int kLongestBlock = 200'000;
 constexpr int kLongestJson = kLargestConfigurationBytes;
@@ -34,15 +35,6 @@ int errorOf(const QVariant& value)
 {
     constexpr int kLast = static_cast<int>(ErrorCode::FileUnwritable);
     return value.isNull() ? -1 : std::clamp(value.toInt(), 0, kLast);
-}
-
-std::uint16_t rawFromStored(const StreamRow& row, std::uint16_t stored)
-{
-    if (row.encoding == StreamEncoding::SignMagnitude) {
-        const int speed = stored - kFullSpeed;
-        return static_cast<std::uint16_t>(speed < 0 ? 0x80 - speed : speed);
-    }
-    return stored;
 }
 
 QString textOf(std::string_view text)
@@ -304,36 +296,62 @@ std::vector<RecordedConfiguration> RecordingReader::configurations()
     return list;
 }
 
+/// Their ids run from 1 without a hole: nothing has to be counted or skipped row by row.
 std::size_t RecordingReader::packetCount()
 {
-    std::size_t count = 0;
-    eachRow(u"SELECT count(*) FROM packet"_s, {}, [&](const QSqlQuery& row) {
-        count = counter(row.value(0));
-        return true;
-    });
-    return count;
+    if (!m_packetCount) {
+        m_packetCount = 0;
+        eachRow(u"SELECT max(id) FROM packet"_s, {}, [&](const QSqlQuery& row) {
+            m_packetCount = std::min<std::size_t>(counter(row.value(0)), kMostPackets);
+            return true;
+        });
+    }
+    return *m_packetCount;
+}
+
+std::size_t RecordingReader::packetsUpTo(Tick tick)
+{
+    std::size_t low = 0;
+    std::size_t high = packetCount();
+    while (low < high) {
+        const std::size_t middle = low + (high - low) / 2; // packet middle + 1 by its id
+        std::optional<Tick> sent;
+        eachRow(u"SELECT sent FROM packet WHERE id=?"_s, {static_cast<qint64>(middle + 1)},
+                [&](const QSqlQuery& row) {
+                    sent = row.value(0).toLongLong();
+                    return true;
+                });
+        if (sent && *sent <= tick) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
 }
 
 std::vector<RecordedPacket> RecordingReader::packets(std::size_t from, std::size_t most)
 {
     std::vector<RecordedPacket> list;
-    eachRow(
-        u"SELECT sent, ended, priority, attempt, error, substr(sent_bytes,1,%1), "
-        "substr(received_bytes,1,%1) FROM packet ORDER BY id LIMIT ? OFFSET ?"_s.arg(kLongestText),
-        {static_cast<qint64>(std::min(most, kMostEntries)), static_cast<qint64>(from)},
-        [&](const QSqlQuery& row) {
-            if (!isTick(row.value(0)) || !isTick(row.value(1))) {
-                return false;
-            }
-            list.push_back({.sent = row.value(0).toLongLong(),
-                            .ended = row.value(1).toLongLong(),
-                            .priority = std::clamp(row.value(2).toInt(), 0, 3),
-                            .attempt = row.value(3).toInt(),
-                            .error = errorOf(row.value(4)),
-                            .sentBytes = row.value(5).toByteArray(),
-                            .receivedBytes = row.value(6).toByteArray()});
-            return true;
-        });
+    const std::size_t begin = std::min(from, kMostPackets);
+    eachRow(u"SELECT sent, ended, priority, attempt, error, substr(sent_bytes,1,%1), "
+            "substr(received_bytes,1,%1) FROM packet WHERE id>? AND id<=? ORDER BY id LIMIT %2"_s
+                .arg(kLongestText)
+                .arg(kMostEntries),
+            {static_cast<qint64>(begin), static_cast<qint64>(begin + std::min(most, kMostEntries))},
+            [&](const QSqlQuery& row) {
+                if (!isTick(row.value(0)) || !isTick(row.value(1))) {
+                    return false;
+                }
+                list.push_back({.sent = row.value(0).toLongLong(),
+                                .ended = row.value(1).toLongLong(),
+                                .priority = std::clamp(row.value(2).toInt(), 0, 3),
+                                .attempt = row.value(3).toInt(),
+                                .error = errorOf(row.value(4)),
+                                .sentBytes = row.value(5).toByteArray(),
+                                .receivedBytes = row.value(6).toByteArray()});
+                return true;
+            });
     return list;
 }
 

@@ -238,7 +238,12 @@ void SessionRecorder::addConfiguration(const Configuration& configuration)
 
 void SessionRecorder::addEvent(int severity, const QString& kind, const QString& text)
 {
-    keep(m_pending.events, {TimeAxis::ticksOf(clockNow()), severity, kind, text});
+    addEvent({TimeAxis::ticksOf(clockNow()), severity, kind, text});
+}
+
+void SessionRecorder::addEvent(const RecordedEvent& event)
+{
+    keep(m_pending.events, event);
 }
 
 std::size_t SessionRecorder::samples() const

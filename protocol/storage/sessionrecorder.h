@@ -47,6 +47,7 @@ public:
     void pull();
     void addConfiguration(const Configuration& configuration);
     void addEvent(int severity, const QString& kind, const QString& text);
+    void addEvent(const RecordedEvent& event); ///< its tick is the steady clock's
 
     [[nodiscard]] bool isRecording() const { return m_isRecording; }
     [[nodiscard]] QString path() const { return m_plan.path; }

@@ -12,17 +12,6 @@ namespace {
 constexpr std::array<std::string_view, 3> kCommandStreams{"motor1-command", "motor2-command",
                                                           "aux-command"};
 
-/// The wire's number that is kept as `stored`.
-std::uint16_t rawFromStored(const StreamRow& row, int stored)
-{
-    if (row.encoding == StreamEncoding::SignMagnitude) {
-        constexpr int kSign = 0x80;
-        const int value = stored - kFullSpeed;
-        return static_cast<std::uint16_t>(value < 0 ? kSign - value : value);
-    }
-    return static_cast<std::uint16_t>(stored);
-}
-
 bool isZero(const StreamRow& row, int stored)
 {
     return stored + row.offset == 0;

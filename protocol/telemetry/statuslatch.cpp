@@ -43,6 +43,19 @@ void StatusLatch::clear()
     emit changed();
 }
 
+void StatusLatch::show(const Shown& shown)
+{
+    m_entries = shown.entries;
+    m_lastRead = shown.lastRead;
+    m_now = shown.now;
+    emit changed();
+}
+
+QDateTime StatusLatch::now() const
+{
+    return m_now.isValid() ? m_now : QDateTime::currentDateTime();
+}
+
 void StatusLatch::linkLost()
 {
     m_lastRead = {};

@@ -31,6 +31,14 @@ public:
     [[nodiscard]] const Entry& entry(Byte byte, int bit) const;
     [[nodiscard]] std::optional<Instant> lastRead(Byte byte) const; ///< none: never
     void clear(); ///< forgets counts and times (the person's "clear"), not the controller's bits
+    /// For a recording: what was known at `now`, on the wall clock of then.
+    struct Shown {
+        std::array<std::array<Entry, 8>, 2> entries; ///< by Byte and bit
+        std::array<std::optional<Instant>, 2> lastRead;
+        QDateTime now;
+    };
+    void show(const Shown& shown);
+    [[nodiscard]] QDateTime now() const; ///< on the clock of firstSeen and lastSeen
     void linkLost(); ///< lit is no longer known: lastRead() becomes none, counts stay
 
 signals:
@@ -39,6 +47,7 @@ signals:
 private:
     std::array<std::array<Entry, 8>, 2> m_entries;
     std::array<std::optional<Instant>, 2> m_lastRead;
+    QDateTime m_now; ///< invalid: the wall clock's
 };
 
 } // namespace trex

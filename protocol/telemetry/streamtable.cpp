@@ -79,4 +79,14 @@ std::uint16_t storedFromRaw(const StreamRow& row, std::uint16_t raw)
     return raw;
 }
 
+std::uint16_t rawFromStored(const StreamRow& row, int stored)
+{
+    if (row.encoding == StreamEncoding::SignMagnitude) {
+        constexpr int kSign = 0x80;
+        const int speed = stored - kFullSpeed;
+        return static_cast<std::uint16_t>(speed < 0 ? kSign - speed : speed);
+    }
+    return static_cast<std::uint16_t>(stored);
+}
+
 } // namespace trex

@@ -50,6 +50,7 @@ struct StreamRow {
 [[nodiscard]] std::span<const StreamRow> streams();
 [[nodiscard]] int streamIndex(std::string_view key); ///< −1: no such stream
 [[nodiscard]] std::uint16_t storedFromRaw(const StreamRow& row, std::uint16_t raw);
+[[nodiscard]] std::uint16_t rawFromStored(const StreamRow& row, int stored);
 [[nodiscard]] constexpr double physicalFromStored(const StreamRow& row, int stored)
 {
     return (stored + row.offset) * row.scale;

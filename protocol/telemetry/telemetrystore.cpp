@@ -166,6 +166,28 @@ std::optional<Instant> TelemetryStore::start() const
     return m_start;
 }
 
+void TelemetryStore::standAt(Instant playhead, Instant since)
+{
+    m_playhead = playhead;
+    ++m_revision;
+    for (const PollRow& poll : kPolls) {
+        const auto id = std::size_t(poll.id);
+        m_latest[id].reset();
+        const std::size_t end = m_axes[id]->lowerBound(TimeAxis::ticksOf(playhead) + 1);
+        if (end <= m_axes[id]->first() || m_streamsOf[id].empty()
+            || m_axes[id]->time(end - 1) < since) {
+            continue;
+        }
+        PollSample sample{poll.id, {}, m_axes[id]->time(end - 1)};
+        for (const int index : m_streamsOf[id]) {
+            const StreamRow& row = streams()[std::size_t(index)];
+            const int stored = m_series[std::size_t(index)]->value(end - 1);
+            sample.raw[std::size_t(row.field)] = rawFromStored(row, stored);
+        }
+        m_latest[id] = sample;
+    }
+}
+
 std::optional<Instant> TelemetryStore::oldest() const
 {
     if (!m_hasDropped) {

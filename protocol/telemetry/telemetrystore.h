@@ -44,6 +44,15 @@ public:
     [[nodiscard]] std::optional<Instant> start() const; ///< of the first sample since clear()
     /// Where what is still there begins: the start, until samples have left. None: no samples.
     [[nodiscard]] std::optional<Instant> oldest() const;
+    /// The present, for whoever asks how old a value is: the steady clock's, or the playhead of a
+    /// recording.
+    [[nodiscard]] Instant now() const
+    {
+        return m_playhead.value_or(std::chrono::steady_clock::now());
+    }
+    /// For a recording: now() is the playhead, and latest() what was the latest then, unless it is
+    /// from before `since` (the link was lost there).
+    void standAt(Instant playhead, Instant since = Instant::min());
     [[nodiscard]] std::size_t memoryBytes() const; ///< of all samples, times and pyramids
 
     void setMemoryLimit(std::size_t bytes); ///< 0: none, as at first
@@ -62,6 +71,7 @@ private:
     std::array<std::vector<int>, kSourceCount> m_streamsOf;
     std::array<std::optional<PollSample>, kPollCount> m_latest;
     std::optional<Instant> m_start;
+    std::optional<Instant> m_playhead;
     quint64 m_revision = 0;
     int m_clears = 0;
     std::size_t m_memoryLimit = 0;

@@ -224,26 +224,42 @@ void tst_trexctl_record::kill_losesASecondAtMost()
 void tst_trexctl_record::fullDisk_isToldAndKeeps()
 {
 #ifdef Q_OS_UNIX
-    Simulator simulator;
-    QProcess process;
-    // The file may not grow beyond this; the signal of it is ignored, so that the write fails, as
-    // it does on a full disk.
-    process.start(u"/bin/sh"_s,
-                  {u"-c"_s, u"trap '' XFSZ; ulimit -f 400; exec \"$0\" \"$@\""_s,
-                   QStringLiteral(TREXCTL), u"--port"_s, simulator.port(), u"record"_s, path(),
-                   u"--packets"_s, u"--rate"_s, u"200"_s});
-    QVERIFY(process.waitForFinished(100'000));
-    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-    QCOMPARE(process.exitCode(), 2);
-    const QByteArray err = process.readAllStandardError();
-    QVERIFY2(err.contains("Could not write") && err.contains(path().toUtf8()), err);
-    QVERIFY(process.readAllStandardOutput().isEmpty());
-    const auto reader = RecordingReader::open(path());
-    QVERIFY2(reader, reader ? "" : qPrintable(errorText(reader.error())));
-    TelemetryStore store;
-    (*reader)->loadAll(store, Instant());
-    QVERIFY(store.series(0).size() > 10);
-    QVERIFY2(!(*reader)->remark().contains(u"damaged"_s), qPrintable((*reader)->remark()));
+    const int rounds = qEnvironmentVariableIsSet("TREX_EXHAUSTIVE") ? 25 : 3;
+    std::minstd_rand random(5);
+    for (int round = 0; round < rounds; ++round) {
+        init();
+        Simulator simulator;
+        QProcess process;
+        // The file may not grow beyond this (in half kilobytes); the signal of it is ignored, so
+        // that the write fails, as it does on a full disk.
+        const int limit = 260 + static_cast<int>(random() % 300);
+        process.start(u"/bin/sh"_s,
+                      {u"-c"_s, u"trap '' XFSZ; ulimit -f %1; exec \"$0\" \"$@\""_s.arg(limit),
+                       QStringLiteral(TREXCTL), u"--port"_s, simulator.port(), u"record"_s, path(),
+                       u"--packets"_s, u"--rate"_s, u"200"_s});
+        QVERIFY(process.waitForFinished(100'000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 2);
+        const QByteArray err = process.readAllStandardError();
+        QVERIFY2(err.contains("Could not write") && err.contains(path().toUtf8()), err);
+        QVERIFY(process.readAllStandardOutput().isEmpty());
+        const auto reader = RecordingReader::open(path());
+        QVERIFY2(reader, reader ? "" : qPrintable(errorText(reader.error())));
+        TelemetryStore store;
+        (*reader)->loadAll(store, Instant());
+        QVERIFY(store.series(0).size() > 10);
+        QVERIFY2(!(*reader)->remark().contains(u"damaged"_s), qPrintable((*reader)->remark()));
+        // What the controller had answered a second before the end is there.
+        double lastHeard = 0.0;
+        for (const QJsonObject& entry : simulator.log()) {
+            if (entry[u"bytes"_s].toString() == u"8F"_s) {
+                lastHeard = entry[u"epochMs"_s].toDouble();
+            }
+        }
+        const double kept = double((*reader)->started().toMSecsSinceEpoch())
+            + double((*reader)->range()->second) / 100.0;
+        QVERIFY2(lastHeard - kept <= 1000.0, qPrintable(QString::number(lastHeard - kept)));
+    }
 #else
     QSKIP("there is no limit of a file's size to set");
 #endif
@@ -271,7 +287,8 @@ void tst_trexctl_record::replay_givesTheSameChannels()
                    R"({"channel":2,"wave":"hold","value":2777}]})");
     scenario.close();
     {
-        Simulator simulator({u"--scenario"_s, scenario.fileName()});
+        Simulator simulator(
+            {u"--scenario"_s, scenario.fileName(), u"--param"_s, u"motor1-acceleration=33"_s});
         QCOMPARE(run(record(simulator.port(), u"--duration 1"_s)).code, 0);
     }
     Simulator again({u"--replay"_s, path()});
@@ -280,6 +297,17 @@ void tst_trexctl_record::replay_givesTheSameChannels()
     QTRY_COMPARE_WITH_TIMEOUT(
         run(ask).object()[u"channels"_s].toArray()[0].toObject()[u"raw"_s].toInt(), 3333, 10'000);
     QCOMPARE(run(ask).object()[u"channels"_s].toArray()[1].toObject()[u"raw"_s].toInt(), 2777);
+    // And the settings; what is asked for comes first.
+    const auto acceleration = [](const Simulator& simulator) {
+        return run({u"--port"_s, simulator.port(), u"--json"_s, u"param"_s, u"get"_s,
+                    u"motor1-acceleration"_s})
+            .object()[u"value"_s]
+            .toInt();
+    };
+    QCOMPARE(acceleration(again), 33);
+    Simulator other({u"--param"_s, u"motor1-acceleration=7"_s, u"--replay"_s, path()});
+    QVERIFY(other.isReady());
+    QCOMPARE(acceleration(other), 7);
 }
 
 QTEST_GUILESS_MAIN(tst_trexctl_record)

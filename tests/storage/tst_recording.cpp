@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings: what goes in comes out, and what is damaged or hostile is told and never believed.
 #include "protocol/errortext.h"
+#include "protocol/procedures/recordingmarks.h"
 #include "protocol/storage/recordingcsv.h"
+#include "protocol/storage/recordingplayer.h"
 #include "protocol/storage/recordingreader.h"
 #include "protocol/storage/recordingwriter.h"
 #include "protocol/storage/sampletap.h"
@@ -133,6 +135,33 @@ void tamper(const QString& path, const QStringList& statements)
     QSqlDatabase::removeDatabase(u"tamper"_s);
 }
 
+/// A window's way through it: loaded, scrubbed, stepped, played.
+void playEverything(const QString& path)
+{
+    auto reader = RecordingReader::open(path);
+    TelemetryStore store;
+    StatusLatch latch;
+    Controller controller(&store, nullptr);
+    controller.becomeRecording();
+    DeviceSettings settings(controller);
+    RecordingPlayer player(std::move(*reader), {controller, settings, store, latch});
+    while (player.loader().loadSlice(std::chrono::milliseconds(50))) { }
+    for (const double part : {0.0, 1.0, 0.5, 0.7, 0.2}) {
+        const auto whole = double(player.last() - player.first());
+        player.seek(player.first() + Tick(part * whole));
+        player.stepSample(1);
+        player.stepSample(-1);
+        player.stepEvent(1);
+        player.stepEvent(-1);
+    }
+    player.play(Instant());
+    player.setSpeed(1000.0, Instant());
+    player.advance(Instant(std::chrono::seconds(1)));
+    MarkTrack marks;
+    fillMarks(marks, player.history(), store);
+    QVERIFY(!controller.isArmed());
+}
+
 /// Everything that a reader offers, asked for.
 void readEverything(const QString& path)
 {
@@ -153,6 +182,7 @@ void readEverything(const QString& path)
     static_cast<void>((*reader)->configurations());
     static_cast<void>((*reader)->packets(0, 100'000));
     static_cast<void>((*reader)->remark());
+    playEverything(path);
 }
 
 } // namespace
@@ -495,6 +525,11 @@ void tst_recording::hostileRows_areLeftOut()
         u"DELETE FROM stream"_s,
         u"INSERT INTO event VALUES(NULL,9223372036854775807,900,'k','t'),(NULL,'a',NULL,NULL,NULL)"_s,
         u"INSERT INTO packet VALUES(NULL,1,2,-7,'x',99999,zeroblob(9000000),'t')"_s,
+        u"INSERT INTO packet VALUES(9223372036854775807,5,1,0,1,NULL,x'8F',x'00')"_s,
+        u"INSERT INTO packet VALUES(NULL,5,9,0,1,NULL,x'8F',x'0102030405060708')"_s,
+        u"INSERT INTO packet VALUES(NULL,-5,9,0,1,NULL,x'80078F',NULL)"_s,
+        u"INSERT INTO event VALUES(NULL,5,0,'link','gone'),(NULL,6,0,'mode',x'00ff'),(NULL,7,0,'learned','99999999999')"_s,
+        u"INSERT OR REPLACE INTO fact VALUES('baud','-1'),('device','4000000000'),('started-utc','never'),('signature','TReXJr9999999999.99')"_s,
         u"INSERT INTO health VALUES(NULL,1,-1,-1,'a',NULL,5,6,7,8,9,'x',1e308)"_s,
         u"INSERT INTO configuration VALUES(NULL,1,'{\"format\":')"_s,
         u"UPDATE fact SET value=zeroblob(9000000)"_s,

@@ -52,9 +52,9 @@ void setColour(QWidget* widget, const QColor& colour)
     widget->setPalette(palette);
 }
 
-bool isFresh(const PollSample* sample)
+bool isFresh(const PollSample* sample, Instant now)
 {
-    return sample != nullptr && std::chrono::steady_clock::now() - sample->time <= kStaleAfter;
+    return sample != nullptr && now - sample->time <= kStaleAfter;
 }
 
 /// "−12": a true minus, as wide as the digits beside it.
@@ -86,6 +86,7 @@ ChannelsPanel::ChannelsPanel(PanelContext& panelContext, QWidget* parent)
     footer->addWidget(m_input, 1);
     footer->addWidget(m_calibrate);
     grid->addLayout(footer, last + 1, 0, 1, 4);
+    m_calibrate->setVisible(!panelContext.controller.isRecording());
     connect(m_calibrate, &QPushButton::clicked, this,
             [this] { emit panelRequested(u"calibration"_s); });
 
@@ -236,7 +237,7 @@ void ChannelsPanel::readCalibrations()
 void ChannelsPanel::updateValues()
 {
     const PollSample* raw = context().store.latest(PollId::RawChannels);
-    const bool isNowFresh = isFresh(raw);
+    const bool isNowFresh = isFresh(raw, context().store.now());
     const bool isNew = context().store.revision() != m_shownRevision || isNowFresh != m_wasFresh;
     if (!isVisible() || !isNew) {
         return;
@@ -254,12 +255,13 @@ void ChannelsPanel::updateRow(int channel, const PollSample* raw, const PollSamp
     const auto index = static_cast<std::size_t>(channel - 1);
     const Row& row = m_rows[index];
     // What a number means, its unit, is known with the mode only.
-    const bool isKnown = isFresh(raw) && context().controller.device().mode.has_value();
+    const bool isKnown =
+        isFresh(raw, context().store.now()) && context().controller.device().mode.has_value();
     if (isKnown) {
         row.bar->setRaw(raw->raw[index]);
     }
     row.bar->setStale(!isKnown);
-    const bool hasRemapped = isFresh(remapped);
+    const bool hasRemapped = isFresh(remapped, context().store.now());
     if (hasRemapped) {
         row.bar->setRemapped(signedFromRemapped(static_cast<std::uint8_t>(remapped->raw[index])));
     }

@@ -34,6 +34,18 @@ EventLog::EventLog(QObject* parent) : QAbstractTableModel(parent) { }
 
 void EventLog::add(int severity, const QString& text)
 {
+    addEntry({.time = QDateTime::currentDateTime(), .severity = severity, .text = text});
+}
+
+void EventLog::clear()
+{
+    beginResetModel();
+    m_entries.clear();
+    endResetModel();
+}
+
+void EventLog::addEntry(const Entry& entry)
+{
     if (m_entries.size() >= static_cast<std::size_t>(kMostEntries)) {
         beginRemoveRows({}, 0, 0);
         m_entries.pop_front();
@@ -41,9 +53,8 @@ void EventLog::add(int severity, const QString& text)
     }
     const int row = rowCount();
     beginInsertRows({}, row, row);
-    m_entries.push_back({.time = QDateTime::currentDateTime(),
-                         .severity = std::clamp(severity, int{Information}, int{Failure}),
-                         .text = text});
+    m_entries.push_back(entry);
+    m_entries.back().severity = std::clamp(entry.severity, int{Information}, int{Failure});
     endInsertRows();
 }
 

@@ -25,6 +25,8 @@ public:
 
     explicit EventLog(QObject* parent = nullptr);
     void add(int severity, const QString& text);
+    void addEntry(const Entry& entry); ///< with a time of its own
+    void clear();
     [[nodiscard]] QString toText() const; ///< for copy and save
     [[nodiscard]] const Entry& at(int row) const
     {

@@ -30,14 +30,37 @@ void FileDialogs::askOpen(QWidget* parent, const QString& title, const QString& 
     ask(parent, title, {}, filter, false, handler);
 }
 
+void FileDialogs::askFolder(QWidget* parent, const QString& title, const QString& folder,
+                            const Handler& handler)
+{
+    if (takeAnswer(parent, handler)) {
+        return;
+    }
+    auto* dialog = new QFileDialog(parent, title, folder);
+    dialog->setObjectName(QStringLiteral("dialog.folder"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setOption(QFileDialog::DontUseNativeDialog);
+    dialog->setFileMode(QFileDialog::Directory);
+    connect(dialog, &QFileDialog::fileSelected, parent, handler);
+    dialog->show();
+}
+
+/// Later, as a person's answer would come, and not at all when the asker is gone by then.
+bool FileDialogs::takeAnswer(QWidget* parent, const Handler& handler)
+{
+    if (!m_answer) {
+        return false;
+    }
+    QMetaObject::invokeMethod(
+        parent, [handler, path = *m_answer] { handler(path); }, Qt::QueuedConnection);
+    m_answer.reset();
+    return true;
+}
+
 void FileDialogs::ask(QWidget* parent, const QString& title, const QString& suggestion,
                       const QString& filter, bool save, const Handler& handler)
 {
-    if (m_answer) {
-        // Later, as a person's answer would come, and not at all when the asker is gone by then.
-        QMetaObject::invokeMethod(
-            parent, [handler, path = *m_answer] { handler(path); }, Qt::QueuedConnection);
-        m_answer.reset();
+    if (takeAnswer(parent, handler)) {
         return;
     }
     auto* dialog = new QFileDialog(parent, title, {}, filter);

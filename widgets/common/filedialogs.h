@@ -31,7 +31,11 @@ public:
     void askOpen(QWidget* parent, const QString& title, const QString& filter,
                  const Handler& handler);
 
+    void askFolder(QWidget* parent, const QString& title, const QString& folder,
+                   const Handler& handler);
+
 private:
+    [[nodiscard]] bool takeAnswer(QWidget* parent, const Handler& handler);
     void ask(QWidget* parent, const QString& title, const QString& suggestion,
              const QString& filter, bool save, const Handler& handler);
     std::optional<QString> m_answer;

@@ -29,7 +29,7 @@ Duration scaled(Duration duration, double factor)
 PlotTimeline::PlotTimeline(const TelemetryStore& store, QObject* parent)
     : QObject(parent)
     , m_store(store)
-    , m_clock([] { return std::chrono::steady_clock::now(); })
+    , m_clock([&store] { return store.now(); })
     , m_cursors(kCursors)
 {
     place();

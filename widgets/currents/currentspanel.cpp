@@ -130,6 +130,9 @@ QWidget* CurrentsPanel::makeToolRow()
     auto* clear = addButton(row, u"currents.clear"_s, u"clear"_s, tr("Clear"),
                             tr("Forget all samples of this session and start anew"));
     connect(clear, &QToolButton::clicked, this, &CurrentsPanel::clearSamples);
+    const bool isLive = !context().controller.isRecording(); // nothing new comes to a recording
+    m_record->setVisible(isLive);
+    clear->setVisible(isLive);
     return bar;
 }
 
@@ -294,6 +297,8 @@ void CurrentsPanel::onTick()
 {
     if (const PollSample* latest = context().store.latest(PollId::Currents)) {
         m_latest = *latest;
+    } else if (m_latest && m_latest->time > context().store.now()) {
+        m_latest.reset(); // a playhead before all samples
     }
     if (m_recorder.isRecording()) {
         showRecording();
@@ -308,7 +313,7 @@ void CurrentsPanel::updateReadOuts()
     m_sinceReadOuts.start();
     const bool isInferred = isGuess(amperesGrade(context().controller.model()));
     const PollSample* latest = context().store.latest(PollId::Currents);
-    const Instant now = std::chrono::steady_clock::now();
+    const Instant now = context().store.now();
     const TimeRange range = m_plot->visibleRange();
     for (std::size_t i = 0; i < m_readOuts.size(); ++i) {
         CurrentReadOut::Figures figures;

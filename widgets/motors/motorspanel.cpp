@@ -322,7 +322,9 @@ void MotorsPanel::refreshHint()
 {
     const DeviceInfo& device = context().controller.device();
     QString hint;
-    if (device.serialControls == false) {
+    if (context().controller.isRecording()) {
+        hint = tr("Of the recording: the sliders show what was sent then.");
+    } else if (device.serialControls == false) {
         hint =
             tr("Serial does not control the motors now: an order waits in the controller and acts "
                "the moment serial override starts.");

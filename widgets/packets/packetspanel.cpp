@@ -67,6 +67,7 @@ PacketsPanel::PacketsPanel(PanelContext& context, QWidget* parent)
     connect(m_class, &QComboBox::currentIndexChanged, this, &PacketsPanel::applyFilter);
     connect(&context.controller, &Controller::stateChanged, this, &PacketsPanel::onStateChanged);
     connect(&context.controller, &Controller::recordsArrived, &m_model, &PacketModel::add);
+    connect(&context.controller, &Controller::recordsForgotten, &m_model, &PacketModel::clear);
     m_model.startConnection(context.controller.options().line, std::nullopt);
     showCounts();
 }

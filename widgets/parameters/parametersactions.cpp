@@ -30,6 +30,10 @@ QString ParametersPanel::blockReason() const
     if (controller.state() != LinkState::Connected) {
         return tr("Not connected. Connect to read the controller's parameters.");
     }
+    if (controller.isRecording()) {
+        return tr("These are the settings as they were read during the recording; they cannot be "
+                  "changed here. Save them to a file, and load that file into a controller.");
+    }
     if (m_isWriting) {
         return tr("Writing to the controller.");
     }

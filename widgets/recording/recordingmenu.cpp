@@ -28,6 +28,7 @@ RecordingActions::RecordingActions(PanelContext& context, Recordings& recordings
     makeFiles();
     makeChoices();
     connect(&recordings, &Recordings::changed, this, &RecordingActions::refresh);
+    connect(&context.settings, &UiSettings::changed, this, &RecordingActions::refresh);
     refresh();
 }
 
@@ -103,6 +104,22 @@ void RecordingActions::makeChoices()
            settings::kFlightEnabled)
         ->setToolTip(tr("The flight recorder: %1")
                          .arg(QDir::toNativeSeparators(m_recordings.flightFolder())));
+    makeFolder(u"recordingFolder"_s, tr("F&older for recordings…"), settings::kRecordingFolder,
+               &Recordings::folder);
+    makeFolder(u"flightFolder"_s, tr("Folder for the last &minutes…"), settings::kFlightFolder,
+               &Recordings::flightFolder);
+}
+
+void RecordingActions::makeFolder(const QString& part, const QString& text,
+                                  const Setting<QString>& setting,
+                                  QString (Recordings::*folder)() const)
+{
+    QAction* action = make(part, text, {});
+    connect(action, &QAction::triggered, this, [this, text, setting, folder] {
+        m_context.fileDialogs.askFolder(
+            m_window, QString(text).remove(u'&'), (m_recordings.*folder)(),
+            [this, setting](const QString& path) { m_context.settings.set(setting, path); });
+    });
 }
 
 void RecordingActions::addTo(QMenu& menu) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/storage/setting.h"
 #include "widgets/common/panel.h"
 
 class QAction;
@@ -30,6 +31,8 @@ private:
     void makeRecording();
     void makeFiles();
     void makeChoices();
+    void makeFolder(const QString& part, const QString& text, const Setting<QString>& setting,
+                    QString (Recordings::*folder)() const);
     void refresh();
     void askOpen(const QString& title, void (RecordingActions::*chosen)(const QString&));
 

@@ -5,6 +5,7 @@
 #include "protocol/procedures/configtransfer.h"
 #include "protocol/session/devicesettings.h"
 #include "protocol/storage/datafolder.h"
+#include "protocol/telemetry/marktrack.h"
 #include "widgets/common/eventlog.h"
 #include "widgets/common/uisettings.h"
 
@@ -89,6 +90,7 @@ void Recordings::connectContext()
     });
     connect(&settings, &DeviceSettings::forgotten, this, &Recordings::updateWishes);
     connect(&m_context.settings, &UiSettings::changed, this, &Recordings::applySettings);
+    connect(&m_context.controller, &Controller::batchArrived, this, &Recordings::noteMarks);
 }
 
 void Recordings::connectRecorders()
@@ -222,6 +224,21 @@ void Recordings::updateWishes()
         const bool isAbsent = poll == PollId::Currents && isJoint();
         controller.want(this, poll, isAbsent ? 0.0 : pollRow(poll).hertz);
     }
+}
+
+/// They are put down now, so that a new one is among the last.
+void Recordings::noteMarks()
+{
+    if (m_context.marks == nullptr) {
+        return;
+    }
+    const auto& marks = m_context.marks->marks();
+    for (std::size_t i = std::min(m_marks, marks.size()); i < marks.size(); ++i) {
+        if (isRecording() && marks[i].kind == MarkKind::Note) {
+            m_recorder.addEvent({TimeAxis::ticksOf(marks[i].time), 0, u"note"_s, marks[i].text});
+        }
+    }
+    m_marks = marks.size();
 }
 
 void Recordings::noteSettings()

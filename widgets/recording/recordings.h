@@ -49,6 +49,7 @@ private:
     void connectRecorders();
     void applySettings();
     void updateWishes();
+    void noteMarks(); ///< the person's own marks
     void noteSettings(); ///< the configuration as known now, if it is another than before
     void onFrozen(const QString& path, const QString& reason);
     [[nodiscard]] bool isJoint() const;
@@ -59,6 +60,7 @@ private:
     FlightRecorder m_flight;
     QTimer m_settled; ///< a burst of settings read or written makes one configuration
     QElapsedTimer m_since;
+    std::size_t m_marks = 0; ///< how many there were when it was looked last
     std::optional<Configuration> m_noted; ///< the newest in the running recording
     QString m_problem;
 };

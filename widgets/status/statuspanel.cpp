@@ -143,6 +143,7 @@ void StatusPanel::addLamps(QGridLayout& grid, int row)
     clear->setToolTip(
         tr("Forgets how often each bit was seen. The controller's own bits are cleared "
            "by every read."));
+    clear->setVisible(!context().controller.isRecording()); // those counts are history
     connect(clear, &QPushButton::clicked, &context().latch, &StatusLatch::clear);
     lamps->addWidget(clear, 7, 0, 2, 1, Qt::AlignLeft | Qt::AlignVCenter);
     grid.addLayout(lamps, row, 0, 1, 2);
@@ -186,7 +187,7 @@ void StatusPanel::refreshFacts()
 
 void StatusPanel::refreshLamps()
 {
-    const QDateTime now = QDateTime::currentDateTime();
+    const QDateTime now = context().latch.now();
     bool fading = false;
     for (const Lamp& lamp : m_lamps) {
         const StatusLatch::Entry& entry = context().latch.entry(lamp.byte, lamp.bit);
