@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedures/linesearch.h"
 
-#include "protocol/codec/crc7.h"
 #include "protocol/codec/packet.h"
 #include "protocol/codec/replyparser.h"
+#include "protocol/session/transaction.h"
 
 #include <algorithm>
 #include <ranges>
@@ -13,36 +13,11 @@ namespace trex {
 namespace {
 
 constexpr int kSignatureJr = 9; // command documentation, 0x81
-constexpr std::uint8_t kUnusedStatusBits = 0x0E; // command documentation, 0x84: bits 3-1 not used
 
-// Where clearing begins and ends: slower receivers hear the last of it as a byte of ones.
-constexpr int kFastest = 115200;
-constexpr int kSlowestClearing = 9600;
-
-/// CRC bytes that are clean at a speed, as a set of 128 bits; from the model of tst_linebits.cpp.
-struct CleanCrc {
-    int baud;
-    std::array<std::uint64_t, 2> bytes;
-};
-constexpr std::uint64_t kEvery = ~std::uint64_t{0};
-constexpr std::array<CleanCrc, 11> kCleanCrc{{
-    {1200, {kEvery, kEvery}},
-    {2400, {0xFDF5'FF55'FDF5'FDFF, 0xFFFF'FFFF'FFFF'FDFF}},
-    {4800, {0xFDF5'FF55'FDF5'FDFF, 0xFFFF'FFFF'FFFF'FDFF}},
-    {9600, {0xFDF5'FF55'FDF5'FDFF, 0xFFFF'FFFF'FFFF'FDFF}},
-    {14400, {0x5105'0015'5105'1115, 0xFDF5'B955'FDF5'1155}},
-    {19200, {0xFDF5'FF55'FDF5'FDFF, 0xFFFF'FFFF'FFFF'FDFF}},
-    {28800, {0xFFBF'BBBF'FFBF'BBBF, 0xFFFF'BBFF'FFFF'BBFF}},
-    {38400, {kEvery, kEvery}},
-    {57600, {kEvery, kEvery}},
-    {76800, {kEvery, kEvery}},
-    {115200, {kEvery, kEvery}},
-}};
-
-Command probe()
-{
-    return query("get-status");
-}
+// The likeliest first: as it leaves the factory, then what people set.
+constexpr std::array kByLikelihood{19200, 115200, 9600,  57600, 38400, 28800,
+                                   14400, 4800,   76800, 2400,  1200};
+static_assert(kByLikelihood.size() == kBaudRates.size());
 
 /// As it goes out: one form, and time for the receiver between the bytes.
 LineSettings onWire(LineSettings line)
@@ -60,19 +35,6 @@ bool isSameTry(const LineSettings& a, const LineSettings& b)
         && (!a.hasCrc() || a.polynomial == b.polynomial);
 }
 
-std::uint8_t probeCrc(std::uint8_t polynomial)
-{
-    LineSettings line;
-    line.errorDetection = ErrorDetection::Crc7;
-    line.polynomial = polynomial;
-    return static_cast<std::uint8_t>(encode(probe(), line).back());
-}
-
-bool isUnclean(const LineSettings& line)
-{
-    return line.hasCrc() && !isCleanCrcProbe(line.baud, probeCrc(line.polynomial));
-}
-
 /// The payload when these bytes are exactly one reply of that length.
 std::optional<QByteArray> payloadOf(const Command& asked, QByteArrayView bytes,
                                     const LineSettings& line)
@@ -85,13 +47,6 @@ std::optional<QByteArray> payloadOf(const Command& asked, QByteArrayView bytes,
 }
 
 } // namespace
-
-bool isCleanCrcProbe(int baud, std::uint8_t crcByte)
-{
-    const auto* const row = std::ranges::find(kCleanCrc, baud, &CleanCrc::baud);
-    return row != kCleanCrc.end() && crcByte < 128
-        && (row->bytes.at(crcByte / 64) >> (crcByte % 64) & 1U) != 0U;
-}
 
 std::optional<Signature> signatureIn(QByteArrayView bytes, const LineSettings& line)
 {
@@ -118,48 +73,37 @@ void LineSearch::plan(const LineSearchOptions& options)
 {
     if (!options.only.empty()) {
         for (const LineSettings& line : options.only) {
-            addTry(line, !options.isNetwork);
+            m_steps.push_back(onWire(line));
         }
         return;
     }
-    std::vector<LineSettings> first = options.remembered;
-    first.push_back(options.given);
+    std::vector<LineSettings> known = options.remembered;
+    known.push_back(options.given);
     if (!options.isNetwork) {
-        first.emplace_back(); // as it leaves the factory
+        known.emplace_back(); // as it leaves the factory
     }
-    for (const LineSettings& line : first) {
-        if (options.isNetwork || !isUnclean(line)) {
-            addTry(line, !options.isNetwork);
-        }
+    for (const LineSettings& line : known) {
+        addTry(line);
     }
     LineSettings line = options.given;
-    if (options.isNetwork) {
-        line.errorDetection = ErrorDetection::None;
-        addTry(line, false);
-        planCrc(first, true);
-        planCrc(first, false);
-        return;
-    }
-    for (const auto& detection : {ErrorDetection::None, ErrorDetection::Even}) {
+    for (const ErrorDetection detection : {ErrorDetection::None, ErrorDetection::Crc7,
+                                           ErrorDetection::Even}) { // none asks odd parity too
         line.errorDetection = detection;
-        for (const int baud : kBaudRates | std::views::reverse) {
-            line.baud = baud;
-            const bool wasTried = isPlanned(onWire(line));
-            if (!wasTried) {
-                addTry(line, detection == ErrorDetection::Even);
-            } else if (detection == ErrorDetection::None) {
-                m_steps.push_back({onWire(line), true}); // closes what the one before left open
+        if (detection == ErrorDetection::Crc7) {
+            planCrc(known);
+        } else if (!options.isNetwork) {
+            for (const int baud : kByLikelihood) {
+                line.baud = baud;
+                addTry(line);
             }
-        }
-        if (detection == ErrorDetection::None) {
-            planCrc(first, true);
+        } else if (detection == ErrorDetection::None) {
+            addTry(line);
         }
     }
-    planCrc(first, false); // last, when whoever could misread them would have answered
 }
 
 /// With the polynomials that are known of this port, then the one of the factory.
-void LineSearch::planCrc(const std::vector<LineSettings>& known, bool clean)
+void LineSearch::planCrc(const std::vector<LineSettings>& known)
 {
     std::vector<std::uint8_t> polynomials;
     for (const LineSettings& line : known) {
@@ -170,56 +114,45 @@ void LineSearch::planCrc(const std::vector<LineSettings>& known, bool clean)
     line.errorDetection = ErrorDetection::Crc7;
     for (const std::uint8_t polynomial : polynomials) {
         line.polynomial = polynomial;
-        for (const int baud : kBaudRates | std::views::reverse) {
-            line.baud = baud;
-            if (isUnclean(line) == !clean
-                && (!m_options.isNetwork || baud == m_options.given.baud)) {
-                addTry(line, !m_options.isNetwork);
+        for (const int baud : kByLikelihood) {
+            if (!m_options.isNetwork || baud == m_options.given.baud) {
+                line.baud = baud;
+                addTry(line);
             }
         }
     }
 }
 
-void LineSearch::addTry(const LineSettings& line, bool clear)
+void LineSearch::addTry(const LineSettings& line)
 {
     const LineSettings wired = onWire(line);
     if (isPlanned(wired)) {
         return;
     }
-    m_steps.push_back({wired, false});
-    if (clear) {
-        addClearing(m_steps);
-    }
-}
-
-void LineSearch::addClearing(std::deque<Step>& steps) const
-{
-    LineSettings line = onWire(m_options.given);
-    line.errorDetection = ErrorDetection::None;
-    for (const int baud : kBaudRates | std::views::reverse) {
-        if (baud >= kSlowestClearing && baud <= kFastest) {
-            line.baud = baud;
-            steps.push_back({line, true});
-        }
+    if (m_options.isNetwork || lineProbe(wired).isClean) {
+        m_steps.push_back(wired);
+    } else if (std::ranges::none_of(m_leftOut, [&wired](const LineSettings& other) {
+                   return isSameTry(other, wired);
+               })) {
+        m_leftOut.push_back(wired);
     }
 }
 
 bool LineSearch::isPlanned(const LineSettings& line) const
 {
-    return std::ranges::any_of(m_steps, [&line](const Step& step) {
-        return !step.isClearing && isSameTry(step.line, line);
-    });
+    return std::ranges::any_of(m_steps,
+                               [&line](const LineSettings& step) { return isSameTry(step, line); });
 }
 
 int LineSearch::total() const
 {
-    return m_done + static_cast<int>(std::ranges::count(m_steps, false, &Step::isClearing));
+    return m_done + static_cast<int>(m_steps.size());
 }
 
 LineSearch::Ask LineSearch::ask(const char* key, int payload) const
 {
-    const QByteArray bytes = encode(query(key), m_current.line);
-    return {m_current.line, bytes, static_cast<int>(bytes.size()) + payload};
+    const QByteArray bytes = encode(query(key), m_current);
+    return {m_current, bytes, static_cast<int>(bytes.size()) + payload};
 }
 
 std::optional<LineSearch::Ask> LineSearch::next()
@@ -227,33 +160,54 @@ std::optional<LineSearch::Ask> LineSearch::next()
     if (m_found) {
         return std::nullopt;
     }
-    if (m_stage == Stage::Signature) {
-        return ask("get-signature", kSignatureJr);
+    if (m_pieces.empty() && m_stage == Stage::Signature) {
+        m_pieces.push_back(ask("get-signature", kSignatureJr));
+    } else if (m_pieces.empty() && m_stage == Stage::Parity) {
+        m_pieces.push_back(ask("get-serial-control", 1));
+    } else if (m_pieces.empty() && !m_steps.empty()) {
+        beginTry();
     }
-    if (m_stage == Stage::Parity) {
-        return ask("get-serial-control", 1);
-    }
-    if (m_steps.empty()) {
+    if (m_pieces.empty()) {
         return std::nullopt;
     }
+    m_latest = m_pieces.front();
+    m_pieces.pop_front();
+    return m_latest;
+}
+
+void LineSearch::beginTry()
+{
     m_current = m_steps.front();
     m_steps.pop_front();
-    Ask next = ask("get-status", 1);
-    if (m_current.isClearing) {
-        next.replyBytes = 0;
+    ++m_done;
+    m_isUnclear = !m_options.isNetwork;
+    const LineProbe probe = lineProbe(m_current);
+    m_query = probe.query;
+    if (m_options.isNetwork) { // its speed is not ours to set: in one
+        m_pieces.push_back({m_current, encode(m_query, m_current)});
     } else {
-        next.isTry = true;
-        ++m_done;
+        for (const WirePiece& piece : probe.pieces) {
+            m_pieces.push_back({piece.line, piece.bytes});
+        }
     }
-    return next;
+    m_pieces.front().isTry = true;
+    Ask& last = m_pieces.back();
+    last.replyBytes = static_cast<int>(last.bytes.size()) + replyLength(m_query);
+}
+
+void LineSearch::clearLine()
+{
+    if (std::exchange(m_isUnclear, false)) {
+        m_pieces.clear();
+        for (const WirePiece& piece : lineClearing()) {
+            m_pieces.push_back({onWire(piece.line), piece.bytes});
+        }
+    }
 }
 
 QByteArrayView LineSearch::withoutEcho(QByteArrayView received)
 {
-    const char* const key = m_stage == Stage::Probe ? "get-status"
-        : m_stage == Stage::Signature               ? "get-signature"
-                                                    : "get-serial-control";
-    const QByteArray sent = encode(query(key), m_current.line);
+    const QByteArray& sent = m_latest.bytes;
     if (!received.toByteArray().startsWith(sent)) {
         return received;
     }
@@ -263,7 +217,7 @@ QByteArrayView LineSearch::withoutEcho(QByteArrayView received)
 
 void LineSearch::answer(QByteArrayView received)
 {
-    if (m_current.isClearing || m_found) {
+    if (m_latest.replyBytes == 0 || m_found) {
         return;
     }
     if (m_stage == Stage::Probe) {
@@ -286,21 +240,26 @@ void LineSearch::answer(QByteArrayView received)
         break;
     case Stage::Parity:
         m_stage = Stage::Probe;
-        if (const auto payload = payloadOf(query("get-serial-control"), reply, m_current.line);
-            payload && static_cast<std::uint8_t>(payload->front()) <= 1) {
+        if (const auto payload = payloadOf(query("get-serial-control"), reply, m_current);
+            payload && isPlausible(query("get-serial-control"), *payload)) {
             accept();
         } else {
             tryOddParity();
         }
         break;
     }
+    if (m_stage == Stage::Probe && !m_found) {
+        clearLine();
+    }
 }
 
 void LineSearch::onProbe(QByteArrayView reply)
 {
-    const auto payload = payloadOf(probe(), reply, m_current.line);
-    if (payload && (static_cast<std::uint8_t>(payload->front()) & kUnusedStatusBits) == 0) {
-        m_candidate.status = static_cast<std::uint8_t>(payload->front());
+    const auto payload = payloadOf(m_query, reply, m_current);
+    if (payload && isPlausible(m_query, *payload)) {
+        m_candidate.status = m_query == query("get-status")
+            ? static_cast<std::uint8_t>(payload->front())
+            : std::uint8_t{0};
         m_stage = Stage::Signature;
     } else if (!reply.isEmpty()) {
         tryOddParity();
@@ -310,13 +269,13 @@ void LineSearch::onProbe(QByteArrayView reply)
 void LineSearch::onSignature(QByteArrayView reply)
 {
     m_stage = Stage::Probe;
-    const auto signature = signatureIn(reply, m_current.line);
+    const auto signature = signatureIn(reply, m_current);
     if (!signature) {
         tryOddParity();
         return;
     }
     m_candidate.signature = *signature;
-    const ErrorDetection detection = m_current.line.errorDetection;
+    const ErrorDetection detection = m_current.errorDetection;
     if (detection == ErrorDetection::None || detection == ErrorDetection::Odd) {
         m_stage = Stage::Parity; // 0x83 has the other parity: only the right setting hears it
     } else {
@@ -324,27 +283,25 @@ void LineSearch::onSignature(QByteArrayView reply)
     }
 }
 
-/// A controller set to odd parity takes an 0x84 that was sent without: its parity bit is 1, as a
+/// A controller set to odd parity takes an 0x82 that was sent without: its parity bit is 1, as a
 /// stop bit is. Its reply may come damaged.
 void LineSearch::tryOddParity()
 {
-    LineSettings line = m_current.line;
+    LineSettings line = m_current;
     if (line.errorDetection != ErrorDetection::None || m_options.isNetwork) {
         return;
     }
     line.errorDetection = ErrorDetection::Odd;
-    std::erase_if(m_steps, [&line](const Step& step) {
-        return !step.isClearing && isSameTry(step.line, line);
-    });
-    m_steps.push_front({line, false});
+    std::erase_if(m_steps, [&line](const LineSettings& step) { return isSameTry(step, line); });
+    m_steps.push_front(line);
 }
 
 void LineSearch::accept()
 {
     m_candidate.line = m_options.given;
-    m_candidate.line.baud = m_current.line.baud;
-    m_candidate.line.errorDetection = m_current.line.errorDetection;
-    m_candidate.line.polynomial = m_current.line.polynomial;
+    m_candidate.line.baud = m_current.baud;
+    m_candidate.line.errorDetection = m_current.errorDetection;
+    m_candidate.line.polynomial = m_current.polynomial;
     m_found = m_candidate;
 }
 
@@ -353,20 +310,14 @@ void LineSearch::giveUp()
     m_steps.clear();
     m_stage = Stage::Probe;
     m_found.reset();
-    if (m_done > 0 && !m_options.isNetwork) {
-        addClearing(m_steps);
-    }
+    clearLine();
 }
 
 void LineSearch::resume()
 {
-    if (!m_found) {
-        return;
+    if (std::exchange(m_found, std::nullopt)) {
+        clearLine();
     }
-    m_found.reset();
-    // What has answered is still there and hears the rest.
-    m_leftOut += static_cast<int>(std::erase_if(
-        m_steps, [](const Step& step) { return !step.isClearing && isUnclean(step.line); }));
 }
 
 } // namespace trex

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/codec/linesettings.h"
+#include "protocol/codec/lineprobe.h"
 #include "protocol/codec/replies.h"
 
 #include <QByteArray>
@@ -23,7 +23,7 @@ struct LineFound {
     LineSettings line; ///< speed, error detection and polynomial as found; the rest as given
     Signature signature;
     bool echo = false;
-    std::uint8_t status = 0; ///< the probe has read it, so that its bits are clear there now
+    std::uint8_t status = 0; ///< bits that the question has read and so cleared; mostly none
 };
 
 /// What came back from a line on which nothing was found, the most telling of it.
@@ -33,30 +33,19 @@ enum class LineAnswer : std::uint8_t { Silence, EchoOnly, Zeros, Garbage };
 /// (Scan, or a test with a simulated line) asks what to send, sends it on a freshly opened line and
 /// tells what came back.
 ///
-/// A controller at another speed hears a probe as other bytes, and some of them are motor commands:
-/// 0x81 at 19200 baud is 0xE0 at 115200, and `81 48` at 9600 is a complete order at 4800. What is
-/// sent here was chosen with a model of the wire, bit by bit, for all pairs of speeds, parities and
-/// tolerable clock errors (tests/procedures/tst_linebits.cpp shows that none is heard):
-/// - The probe is get-status (0x84) with two stop bits. Alone it is never a whole motor command,
-///   whatever a receiver does with bytes that failed their frame or parity check, and what it may
-///   leave open at three quarters or two thirds of its speed is closed by the same byte there. So
-///   speeds are tried downwards. Of all queries without data it is the only one of which that
-///   holds. An odd parity bit of it is 1, as a stop bit is: one try asks both.
-/// - Even parity and CRC-7 have other waves. After each such try, and after each that is out of the
-///   order, the clean byte goes out downwards once more, not waiting for answers (clearing lines).
-/// - A CRC byte can make it unclean to faster receivers (isCleanCrcProbe). These tries come last,
-///   when such a receiver would have answered, and not at all once one has.
-/// - get-signature (0x81) and get-serial-control (0x83) are sent only where the probe was answered:
-///   at a wrong speed it never reads as a query, so that nobody answers there.
-/// - No Pololu form: it carries data bytes, and controllers answer the compact form at any time
-///   (conformance C-04). Equal answers of several controllers, joined, are one good answer.
+/// Each try is a question of lineProbe(), and lineClearing() after it, so that no receiver has a
+/// packet open when the next one comes: the order is free, and a search may end after any try.
+/// get-signature (0x81) and get-serial-control (0x83) are asked only where the question was
+/// answered: at a wrong speed it never reads as a query, so that nobody answers there.
+/// No Pololu form: it carries data bytes, and controllers answer the compact form at any time
+/// (conformance C-04). Equal answers of several controllers, joined, are one good answer.
 class LineSearch {
 public:
     struct Ask {
         LineSettings line;
         QByteArray bytes;
-        int replyBytes = 0; ///< to wait for, an echo included; 0: send, rest, go on
-        bool isTry = false; ///< counts as one of total()
+        int replyBytes = 0; ///< to wait for, an echo included; 0: send, rest (kWireRest), go on
+        bool isTry = false; ///< begins one of total()
     };
 
     explicit LineSearch(const LineSearchOptions& options);
@@ -74,26 +63,20 @@ public:
     [[nodiscard]] int done() const { return m_done; }
     [[nodiscard]] int total() const; ///< tries done and left
     [[nodiscard]] LineAnswer heard() const { return m_heard; }
-    /// Tries not made because of what had answered.
-    [[nodiscard]] int leftOut() const { return m_leftOut; }
+    /// Settings that are not tried, since their question could be heard as an order elsewhere.
+    [[nodiscard]] const std::vector<LineSettings>& leftOut() const { return m_leftOut; }
 
     static constexpr std::chrono::milliseconds kReplyTimeout{60};
-    /// After a packet that is not waited for, so that the slowest receiver is done with it: eleven
-    /// bits at 1200 baud.
-    static constexpr std::chrono::milliseconds kRest{12};
 
 private:
     enum class Stage : std::uint8_t { Probe, Signature, Parity };
-    struct Step {
-        LineSettings line;
-        bool isClearing = false;
-    };
     void plan(const LineSearchOptions& options);
-    void planCrc(const std::vector<LineSettings>& known, bool clean);
-    void addTry(const LineSettings& line, bool clear);
-    void addClearing(std::deque<Step>& steps) const;
+    void planCrc(const std::vector<LineSettings>& known);
+    void addTry(const LineSettings& line);
     [[nodiscard]] bool isPlanned(const LineSettings& line) const;
     [[nodiscard]] Ask ask(const char* query, int payload) const;
+    void beginTry();
+    void clearLine();
     [[nodiscard]] QByteArrayView withoutEcho(QByteArrayView received);
     void onProbe(QByteArrayView reply);
     void onSignature(QByteArrayView reply);
@@ -101,18 +84,20 @@ private:
     void accept();
 
     LineSearchOptions m_options;
-    std::deque<Step> m_steps;
+    std::deque<LineSettings> m_steps;
+    std::deque<Ask> m_pieces; ///< of the try under way, or of the clearing after it
     Stage m_stage = Stage::Probe;
-    Step m_current;
+    LineSettings m_current;
+    Command m_query; ///< of the try
+    Ask m_latest;
+    bool m_isUnclear = false; ///< a question went out and the line was not cleared since
     LineFound m_candidate;
     std::optional<LineFound> m_found;
     LineAnswer m_heard = LineAnswer::Silence;
     int m_done = 0;
-    int m_leftOut = 0;
+    std::vector<LineSettings> m_leftOut;
 };
 
-/// True when no receiver at another speed makes a motor command of get-status with this CRC byte.
-[[nodiscard]] bool isCleanCrcProbe(int baud, std::uint8_t crcByte);
 /// The signature in bytes that may begin with foreign ones, or end with them.
 [[nodiscard]] std::optional<Signature> signatureIn(QByteArrayView bytes, const LineSettings& line);
 

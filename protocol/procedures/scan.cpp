@@ -186,9 +186,8 @@ void Scan::onConnected()
         } else {
             // Handed over; then its own time on the wire, and the rest.
             const Duration wire = m_ask.line.timeOf(static_cast<int>(m_ask.bytes.size()));
-            QTimer::singleShot(std::chrono::ceil<std::chrono::milliseconds>(wire)
-                                   + LineSearch::kRest,
-                               this, &Scan::onAnswer);
+            QTimer::singleShot(std::chrono::ceil<std::chrono::milliseconds>(wire) + kWireRest, this,
+                               &Scan::onAnswer);
         }
     });
 }

@@ -90,6 +90,13 @@ void DeviceSettings::transmit(
 {
     const auto send = [=, this](const Result<void>& go) {
         Pending pending{intent, 0};
+        if (go && m_controller.isArmed() && !m_controller.options().line.hasCrc()) {
+            m_controller.stop(); // a damaged setting may be heard as a motor order
+            emit m_controller.eventLogged(
+                0,
+                tr("Stopped and disarmed before a setting is written: without CRC-7 a damaged "
+                   "packet could be heard as a motor order."));
+        }
         pending.intent.packet = encode(command, m_controller.options().line);
         Result<qint64> number = 0;
         if (go && m_recorder != nullptr) {

@@ -12,7 +12,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kIdentifyInterval = 250ms;
 // A stop waits for a reply on its way (the controller is deaf meanwhile), but not for one that only
 // a long timeout still hopes for.
 constexpr auto kStopPatience = 100ms;
@@ -61,8 +60,8 @@ QLatin1StringView keyOf(LinkState state)
     return kKeys.at(static_cast<std::size_t>(state));
 }
 
-LinkEngine::LinkEngine(const LineSettings& settings, bool identify, bool reconnect)
-    : m_settings(settings), m_identify(identify), m_reconnect(reconnect)
+LinkEngine::LinkEngine(const LineSettings& settings, bool identify, bool reconnect, bool canSetLine)
+    : m_settings(settings), m_identify(identify), m_reconnect(reconnect), m_canSetLine(canSetLine)
 {
     m_plan.setLine(settings);
 }
@@ -77,12 +76,12 @@ void LinkEngine::opened(Instant now)
     m_undecided.clear();
     m_lineFreeAt = now;
     m_quietUntil = now;
-    m_nextIdentify = now;
-    m_identifyTries = 0;
+    m_guard = {};
+    m_guard.nextIdentify = now;
     m_needsSync = false;
     m_lastValid = now;
     m_failures = 0;
-    m_rateStart = now;
+    m_rates.start = now;
     if (!m_identify) {
         setState(LinkState::Connected, std::nullopt, now);
         m_plan.restart(now);
@@ -97,6 +96,7 @@ void LinkEngine::opened(Instant now)
 void LinkEngine::lineFailed(const Error& error, Instant now)
 {
     m_open = false;
+    m_guard = {};
     if (m_flight) {
         const Flight flight = std::move(*m_flight);
         m_flight.reset();
@@ -189,11 +189,15 @@ void LinkEngine::shutDown()
     for (const Queued& queued : std::exchange(m_users, {})) {
         finish(queued, fail(ErrorCode::Cancelled));
     }
+    if (m_state != LinkState::Connected) {
+        m_flight.reset(); // a question: nobody waits for its answer
+        m_guard.clear(m_settings, m_canSetLine);
+    }
 }
 
 LinkEngine::Action LinkEngine::next(Instant now)
 {
-    countRates(now);
+    m_rates.into(m_batch.stats, now);
     if (m_flight) {
         if (now < m_flight->deadline) {
             return {Action::Kind::Wait, m_flight->deadline, {}};
@@ -203,14 +207,21 @@ LinkEngine::Action LinkEngine::next(Instant now)
             return {Action::Kind::Wait, m_flight->deadline, {}};
         }
     }
-    if (!m_open) {
-        return {};
-    }
-    if (!m_stops.empty()) {
+    if (m_open && !m_stops.empty()) {
+        m_guard.drop();
+        if (m_guard.line && now < m_guard.deafUntil) {
+            return {Action::Kind::Wait, m_guard.deafUntil, {}}; // until the line is ours again
+        }
         // A stop does not wait for the line to fall quiet: its bytes follow those on their way.
         const Queued queued = std::move(m_stops.front());
         m_stops.pop_front();
         return send(queued, now);
+    }
+    if (m_guard.isBusy()) {
+        return sendPiece(now);
+    }
+    if (!m_open) {
+        return {};
     }
     const Instant free = std::max(m_lineFreeAt, m_shutDown ? m_lineFreeAt : m_quietUntil);
     if (now < free) {
@@ -222,6 +233,9 @@ LinkEngine::Action LinkEngine::next(Instant now)
     if (const auto queued = choose(now)) {
         return send(*queued, now);
     }
+    if (m_guard.isBusy()) {
+        return sendPiece(now);
+    }
     const auto wake = nextWake();
     return wake ? Action{Action::Kind::Wait, std::max(*wake, now), {}} : Action{};
 }
@@ -229,11 +243,7 @@ LinkEngine::Action LinkEngine::next(Instant now)
 std::optional<LinkEngine::Queued> LinkEngine::choose(Instant now)
 {
     if (m_state != LinkState::Connected) {
-        if (m_state == LinkState::Disconnected || now < m_nextIdentify) {
-            return std::nullopt;
-        }
-        m_nextIdentify = now + kIdentifyInterval;
-        return Queued{{.command = query("get-signature")}, 1, std::nullopt, Role::Identify};
+        return chooseIdentify(now);
     }
     if (!m_motorOrder.empty()) {
         const std::size_t slot = m_motorOrder.front();
@@ -270,7 +280,7 @@ std::optional<Instant> LinkEngine::nextWake() const
     if (m_state == LinkState::Disconnected) {
         return std::nullopt;
     }
-    return m_state == LinkState::Connected ? m_plan.nextDue() : std::optional(m_nextIdentify);
+    return m_state == LinkState::Connected ? m_plan.nextDue() : std::optional(m_guard.nextIdentify);
 }
 
 LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
@@ -280,6 +290,9 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
     Flight flight;
     flight.queued = queued;
     flight.sentBytes = isRaw ? transaction.rawBytes : encode(transaction.command, m_settings);
+    if (queued.role == Role::Probe) {
+        flight.sentBytes = probeBytes(now);
+    }
     flight.sent = now;
     const int crc = m_settings.hasCrc() ? 1 : 0;
     int replyBytes = 0;
@@ -293,7 +306,7 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
         wait = std::max<Duration>(m_settings.timeout + m_slack + row.processing, row.giveUp);
     }
     ++m_batch.stats.transactions;
-    ++m_rateTransactions;
+    ++m_rates.transactions;
     m_batch.stats.bytesSent += static_cast<quint64>(flight.sentBytes.size());
     if (m_echo != Echo::No) {
         m_pendingEcho += flight.sentBytes;
@@ -304,7 +317,10 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
     const auto sentCount = static_cast<int>(flight.sentBytes.size());
     m_lineFreeAt = std::max(m_lineFreeAt, now) + m_settings.timeOf(sentCount);
     noteMotion(transaction);
-    Action action{Action::Kind::Send, now, flight.sentBytes};
+    Action action{Action::Kind::Send, now, flight.sentBytes, {}};
+    if (std::exchange(m_guard.line, std::nullopt)) {
+        action.line = m_settings;
+    }
     if (replyBytes == 0) {
         record(flight, now, std::nullopt);
         finish(flight.queued, Reply{transaction.command, {}, flight.sentBytes, now, now});
@@ -354,7 +370,7 @@ bool LinkEngine::hasNews() const
 
 LinkBatch LinkEngine::takeBatch(Instant now)
 {
-    countRates(now);
+    m_rates.into(m_batch.stats, now);
     m_batch.stats.echo = m_echo == Echo::Yes;
     m_batch.stats.askedHertz = m_plan.wishes();
     m_batch.stats.pollScale = m_plan.scale();
@@ -364,20 +380,17 @@ LinkBatch LinkEngine::takeBatch(Instant now)
     return batch;
 }
 
-void LinkEngine::countRates(Instant now)
+void LinkRates::into(LinkStats& stats, Instant now)
 {
-    const double seconds = std::chrono::duration<double>(now - m_rateStart).count();
+    const double seconds = std::chrono::duration<double>(now - start).count();
     if (seconds < 1.0) {
         return;
     }
-    LinkStats& stats = m_batch.stats;
-    stats.transactionsPerSecond = static_cast<double>(m_rateTransactions) / seconds;
-    for (std::size_t i = 0; i < m_rateSamples.size(); ++i) {
-        stats.achievedHertz.at(i) = static_cast<double>(m_rateSamples.at(i)) / seconds;
+    stats.transactionsPerSecond = static_cast<double>(transactions) / seconds;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        stats.achievedHertz.at(i) = static_cast<double>(samples.at(i)) / seconds;
     }
-    m_rateSamples.fill(0);
-    m_rateTransactions = 0;
-    m_rateStart = now;
+    *this = {.start = now};
 }
 
 } // namespace trex

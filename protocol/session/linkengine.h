@@ -2,6 +2,8 @@
 #pragma once
 
 #include "protocol/codec/replyparser.h"
+#include "protocol/session/lineguard.h"
+#include "protocol/session/linkrates.h"
 #include "protocol/session/pollplan.h"
 #include "protocol/session/transaction.h"
 
@@ -27,35 +29,39 @@ public:
         Kind kind = Kind::Idle;
         Instant until;
         QByteArray bytes;
+        std::optional<LineSettings> line{}; ///< set the line so before
     };
 
     /// `identify`: believe in a controller only after its signature. `reconnect`: keep asking after
-    /// a loss; else the state ends as Disconnected with the reason.
-    LinkEngine(const LineSettings& settings, bool identify, bool reconnect);
+    /// a loss; else the state ends as Disconnected. `canSetLine`: Action::line can be done.
+    LinkEngine(const LineSettings& settings, bool identify, bool reconnect, bool canSetLine = true);
 
     void opened(Instant now);
     /// The port is gone: whatever waited has failed; the driver opens it again.
     void lineFailed(const Error& error, Instant now);
     void received(QByteArrayView bytes, Instant at);
     void submit(const Transaction& transaction);
-    /// Throws queued motor orders away and puts these packets before everything else.
+    /// Throws queued motor orders away; these packets go before everything else.
     void stop(const std::vector<Transaction>& packets, Instant now);
     void setWishes(const PollWishes& wishes, Instant now);
-    /// Fails everything that waits; nothing more is sent but stop packets.
+    /// Fails everything that waits; nothing more is sent but stop packets and lineClearing().
     void shutDown();
 
     [[nodiscard]] Action next(Instant now);
     [[nodiscard]] bool isReplyDue() const { return m_flight.has_value(); }
     [[nodiscard]] bool isStopQueued() const { return !m_stops.empty(); }
+    [[nodiscard]] bool isClearing() const { return m_guard.isBusy(); }
     [[nodiscard]] Instant lineFreeAt() const { return m_lineFreeAt; }
     [[nodiscard]] LinkState state() const { return m_state; }
     [[nodiscard]] bool hasNews() const; ///< an outcome or an event waits in the batch
     [[nodiscard]] LinkBatch takeBatch(Instant now);
 
     static constexpr int kMostAttempts = 3;
+    static constexpr std::chrono::milliseconds kMostSlack{250}; ///< waited for late replies
 
 private:
-    enum class Role : std::uint8_t { Normal, Identify, Synchronise };
+    /// Identify: a signature. Probe: what may be asked before it (lineProbe()).
+    enum class Role : std::uint8_t { Normal, Identify, Probe, Synchronise };
     struct Queued {
         Transaction transaction;
         int attempt = 1;
@@ -74,14 +80,19 @@ private:
     };
     enum class Echo : std::uint8_t { Unknown, Yes, No };
 
-    // choosing
     [[nodiscard]] std::optional<Queued> choose(Instant now);
     [[nodiscard]] Action send(const Queued& queued, Instant now);
+    [[nodiscard]] Action sendPiece(Instant now);
+    [[nodiscard]] std::optional<Queued> chooseIdentify(Instant now);
+    [[nodiscard]] QByteArray probeBytes(Instant now);
     [[nodiscard]] std::optional<Instant> nextWake() const;
     // receiving
     void deliver(QByteArrayView bytes, Instant at);
     void deliverRaw(Instant at);
     void deliverIdentify(Instant at);
+    void deliverProbe(Instant at);
+    [[nodiscard]] bool isProbeAnswered() const;
+    void onProbeAnswered(Instant at);
     void judgeNormal(qsizetype surplus, Instant at);
     void settleUndecided(Instant now);
     [[nodiscard]] QByteArrayView stripEcho(QByteArrayView bytes);
@@ -99,13 +110,14 @@ private:
     void setState(LinkState state, const std::optional<Error>& error, Instant now);
     void loseLink(const Error& error, Instant now);
     void queueStopForLoss();
+    void stopAfterWrite();
     [[nodiscard]] Error identifyFailure() const;
-    void countRates(Instant now);
     void noteMotion(const Transaction& transaction);
 
     LineSettings m_settings;
     bool m_identify;
     bool m_reconnect;
+    bool m_canSetLine;
     bool m_shutDown = false;
     LinkState m_state = LinkState::Disconnected;
     std::deque<Queued> m_stops;
@@ -124,27 +136,15 @@ private:
     Instant m_lineFreeAt;
     Instant m_quietUntil;
     std::optional<Instant> m_noisySince; ///< bytes that nobody asked for keep coming
-    Instant m_nextIdentify;
     Instant m_lastValid;
     Duration m_slack{0}; ///< waited beyond the timeout, once replies were seen to come later
     int m_failures = 0; ///< transactions without a valid reply in a row
-    int m_identifyTries = 0;
+    LineGuard m_guard;
     int m_syncFailures = 0;
     bool m_wasConnected = false;
-    QByteArray m_identifyBytes; ///< what came instead of a signature
-    bool m_sawEchoOnly = false;
     double m_overheadNs = 300'000.0;
     LinkBatch m_batch;
-    Instant m_rateStart;
-    quint64 m_rateTransactions = 0;
-    std::array<quint64, kPollCount> m_rateSamples{};
+    LinkRates m_rates;
 };
-
-/// True when no TReX would answer so (length and CRC already checked): values out of the range that
-/// the documents give. A wrong reply that passes the length is caught here.
-[[nodiscard]] bool isPlausible(const Command& command, QByteArrayView payload);
-
-/// The packets that stop all three motors: set to 0, or both motors at full brake.
-[[nodiscard]] std::vector<Command> stopCommands(bool brake);
 
 } // namespace trex

@@ -40,6 +40,17 @@ void LinkEngine::queueStopForLoss()
     }
 }
 
+/// Without CRC-7 a damaged byte of a setting may have begun a motor command, with what followed for
+/// its speed. Where the answer is not the one of a setting that was taken, stop is sent: at once,
+/// or as soon as the line is back.
+void LinkEngine::stopAfterWrite()
+{
+    if (m_identify && m_state == LinkState::Connected && !m_settings.hasCrc()) {
+        m_motionSent = true;
+        queueStopForLoss();
+    }
+}
+
 void LinkEngine::loseLink(const Error& error, Instant now)
 {
     for (const std::size_t slot : std::exchange(m_motorOrder, {})) {
@@ -55,8 +66,10 @@ void LinkEngine::loseLink(const Error& error, Instant now)
     }
     setState(LinkState::Lost, error, now);
     queueStopForLoss(); // and again when the link is back: this one may not be heard
-    m_nextIdentify = now;
-    m_identifyTries = 0;
+    m_guard.nextIdentify = now;
+    m_guard.tries = 0;
+    m_guard.isAnswered = false; // it may come back with other settings
+    m_guard.asked = 1; // what was lost may still be answered
     m_needsSync = false;
 }
 
@@ -65,6 +78,10 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
     Flight flight = std::move(*m_flight);
     m_flight.reset();
     record(flight, now, code);
+    if (!flight.queued.transaction.rawBytes.isEmpty()
+        || flight.queued.transaction.command.row().needsSerialMode) {
+        stopAfterWrite();
+    }
     ++m_failures;
     LinkStats& stats = m_batch.stats;
     if (code == ErrorCode::BadReplyCrc) {
@@ -79,13 +96,20 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
     }
     m_quietUntil = now + m_settings.timeOf(2);
     Queued& queued = flight.queued;
-    if (queued.role == Role::Identify) {
-        m_identifyBytes += flight.received;
-        if (++m_identifyTries == kIdentifyTriesBeforeTold) {
+    if (queued.role == Role::Identify || queued.role == Role::Probe) {
+        m_guard.isAnswered = false;
+        if (!lineProbe(m_settings).mayRepeat) {
+            m_guard.clear(m_settings, m_canSetLine);
+        }
+        m_guard.received += flight.received;
+        if (++m_guard.tries == kIdentifyTriesBeforeTold) {
             const Error error = identifyFailure();
             setState(m_reconnect ? LinkState::Retrying : LinkState::Disconnected, error, now);
+            if (!m_reconnect) {
+                m_guard.clear(m_settings, m_canSetLine);
+            }
             m_open = m_open && m_reconnect;
-            m_identifyBytes.clear();
+            m_guard.received.clear();
         } else if (m_state == LinkState::Lost) {
             setState(LinkState::Retrying, std::nullopt, now);
         }
@@ -99,8 +123,7 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
     const Error error{code, {}};
     const bool silent = m_failures >= kFailuresOfLoss && now - m_lastValid >= kSilenceOfLoss;
     if (queued.role == Role::Synchronise) {
-        if (++m_syncFailures >= 2 && !(m_identify && silent)) {
-            m_syncFailures = 0;
+        if (++m_syncFailures % 2 == 0 && !(m_identify && silent)) {
             if (m_retry) {
                 finish(*std::exchange(m_retry, std::nullopt), tl::make_unexpected(error));
             } else if (!m_users.empty()) {
@@ -135,12 +158,12 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
 
 Error LinkEngine::identifyFailure() const
 {
-    if (m_identifyBytes.isEmpty()) {
-        return {m_sawEchoOnly ? ErrorCode::EchoOnly : ErrorCode::NoReply, {}};
+    if (m_guard.received.isEmpty()) {
+        return {m_guard.sawEchoOnly ? ErrorCode::EchoOnly : ErrorCode::NoReply, {}};
     }
-    const bool printable = std::all_of(m_identifyBytes.begin(), m_identifyBytes.end(),
+    const bool printable = std::all_of(m_guard.received.begin(), m_guard.received.end(),
                                        [](char c) { return c >= 0x20 && c < 0x7F; });
-    const QByteArray seen = m_identifyBytes.left(24);
+    const QByteArray seen = m_guard.received.left(24);
     return printable ? Error{ErrorCode::NotATrex, QString::fromLatin1(seen)}
                      : Error{ErrorCode::Garbage, toHex(seen)};
 }

@@ -18,8 +18,6 @@ constexpr auto kLongestNoise = 50ms;
 // Of what comes while a signature or the synchronising reply is awaited, the end is enough.
 constexpr qsizetype kMostKept = 256;
 constexpr qsizetype kKept = 32;
-// However late a line answers, silence is still told within a second.
-constexpr auto kMostSlack = 250ms;
 
 bool isModeLetter(char letter)
 {
@@ -79,6 +77,9 @@ std::uint8_t deviceAfter(const Command& command, QByteArrayView payload, std::ui
 
 void LinkEngine::received(QByteArrayView bytes, Instant at)
 {
+    if (at < m_guard.deafUntil) {
+        return; // of a line that was set otherwise
+    }
     const QByteArray held = std::exchange(m_undecided, {}) + bytes.toByteArray();
     QByteArrayView rest = held;
     if (m_echo == Echo::Unknown && !m_pendingEcho.isEmpty()) {
@@ -136,6 +137,10 @@ void LinkEngine::deliver(QByteArrayView bytes, Instant at)
     }
     if (flight.queued.role == Role::Identify) {
         deliverIdentify(at);
+        return;
+    }
+    if (flight.queued.role == Role::Probe) {
+        deliverProbe(at);
         return;
     }
     if (flight.queued.role == Role::Synchronise) {
@@ -206,47 +211,6 @@ void LinkEngine::deliverRaw(Instant at)
     complete(reply.chopped(crc).toByteArray(), at);
 }
 
-void LinkEngine::deliverIdentify(Instant at)
-{
-    QByteArray& bytes = m_flight->received;
-    const qsizetype start = bytes.indexOf("TReX");
-    if (start < 0 || bytes.size() < start + 5) {
-        if (bytes.size() > kMostKept) {
-            bytes = bytes.last(kKept);
-        }
-        return;
-    }
-    ReplyParser parser(m_flight->queued.transaction.command, m_settings);
-    const int used = parser.feed(QByteArrayView(bytes).sliced(start));
-    if (parser.verdict() == ReplyParser::Verdict::NeedMore) {
-        return;
-    }
-    if (parser.verdict() == ReplyParser::Verdict::BadCrc) {
-        failFlight(ErrorCode::BadReplyCrc, at);
-        return;
-    }
-    const auto signature = parseSignature(parser.payload());
-    if (!signature) {
-        failFlight(ErrorCode::BadReply, at);
-        return;
-    }
-    const qsizetype foreign = bytes.size() - used;
-    complete(parser.payload(), at);
-    m_identifyTries = 0;
-    m_identifyBytes.clear();
-    m_sawEchoOnly = false;
-    m_wasConnected = true;
-    m_batch.events.push_back(
-        {LinkEvent::Kind::Identified, LinkState::Connected, std::nullopt, *signature, at});
-    setState(LinkState::Connected, std::nullopt, at);
-    queueStopForLoss();
-    m_plan.restart(at);
-    m_needsSync = false;
-    if (foreign > 0) {
-        flushed(foreign, at);
-    }
-}
-
 void LinkEngine::onDeadline(Instant now)
 {
     if (m_echo == Echo::Unknown && !m_undecided.isEmpty()) {
@@ -256,6 +220,10 @@ void LinkEngine::onDeadline(Instant now)
         }
     }
     const Flight& flight = *m_flight;
+    if (flight.queued.role == Role::Probe && isProbeAnswered()) {
+        onProbeAnswered(now);
+        return;
+    }
     if (flight.queued.role == Role::Synchronise) {
         QByteArrayView bytes = flight.received;
         const qsizetype tail = m_settings.hasCrc() ? 2 : 1;
@@ -288,7 +256,7 @@ void LinkEngine::settleUndecided(Instant now)
         deliver(held, now);
         return;
     }
-    m_sawEchoOnly = held.size() == m_pendingEcho.size();
+    m_guard.sawEchoOnly = held.size() == m_pendingEcho.size();
     m_pendingEcho.clear();
 }
 
@@ -300,7 +268,8 @@ void LinkEngine::synchronised(Instant at)
     m_needsSync = false;
     if (std::exchange(m_syncFailures, 0) > 0) {
         // More than one was asked: the answer to the other may still be on its way.
-        m_quietUntil = at + m_settings.timeout + m_slack;
+        m_quietUntil = std::max(at + m_settings.timeout + m_slack,
+                                flight.sent + m_settings.timeout + kMostSlack);
     }
     m_failures = 0;
     m_lastValid = at;
@@ -316,6 +285,12 @@ void LinkEngine::complete(const QByteArray& payload, Instant at)
     record(flight, at, std::nullopt);
     m_failures = 0;
     m_lastValid = at;
+    const bool isWrite = flight.queued.transaction.rawBytes.isEmpty()
+        && flight.queued.transaction.command.row().needsSerialMode;
+    // 0 done, 3 not in serial mode (command documentation, 0xA0 and 0xAF): it was heard as meant.
+    if (isWrite && payload != QByteArray(1, '\0') && payload != QByteArray(1, '\3')) {
+        stopAfterWrite();
+    }
     m_settings.device = deviceAfter(flight.queued.transaction.command, payload, m_settings.device);
     const Duration trip = at - flight.sent;
     const Duration wire =
@@ -331,7 +306,7 @@ void LinkEngine::complete(const QByteArray& payload, Instant at)
         m_plan.setOverhead(Duration(static_cast<Duration::rep>(m_overheadNs)));
     }
     if (flight.queued.poll) {
-        ++m_rateSamples.at(static_cast<std::size_t>(*flight.queued.poll));
+        ++m_rates.samples.at(static_cast<std::size_t>(*flight.queued.poll));
         m_batch.samples.push_back(decodePoll(*flight.queued.poll, payload, at));
     }
     finish(flight.queued,

@@ -48,6 +48,10 @@ Instant LinkWorker::clockNow() const
 void LinkWorker::open(const OpenOptions& options, quint32 generation)
 {
     m_reopen.stop();
+    if (m_engine) {
+        m_engine->shutDown();
+        sendRest();
+    }
     closeTransport();
     m_generation = generation;
     m_line = options.line;
@@ -57,7 +61,11 @@ void LinkWorker::open(const OpenOptions& options, quint32 generation)
     const bool isNew = !m_transport || m_address != options.port;
     auto made = isNew ? makeTransport(options.port) : Result<std::unique_ptr<Transport>>{};
     m_reconnect = options.reconnect && made; // an address that makes no sense never will
-    m_engine = std::make_unique<LinkEngine>(options.line, options.identify, m_reconnect);
+    if (made && isNew) {
+        m_transport = std::move(*made);
+    }
+    m_engine = std::make_unique<LinkEngine>(options.line, options.identify, m_reconnect,
+                                            made && m_transport->canSetLine());
     if (!made) {
         m_transport.reset();
         m_engine->lineFailed(made.error(), clockNow());
@@ -66,7 +74,6 @@ void LinkWorker::open(const OpenOptions& options, quint32 generation)
     }
     if (isNew) {
         m_address = options.port;
-        m_transport = std::move(*made);
         connect(m_transport.get(), &Transport::opened, this, [this] {
             m_isOpen = true;
             m_engine->opened(clockNow());
@@ -163,13 +170,7 @@ void LinkWorker::close(const std::vector<Transaction>& packets)
     if (m_engine) {
         m_engine->shutDown();
         m_engine->stop(packets, clockNow());
-        const Instant end = clockNow() + kLongestClose;
-        while (m_isOpen && m_engine->isStopQueued() && clockNow() < end && step()) { }
-        // The port is closed only when the last byte has had its time on the wire.
-        for (Instant now = clockNow(); m_isOpen && now < std::min(end, m_engine->lineFreeAt());
-             now = clockNow()) {
-            m_transport->waitForBytes(m_engine->lineFreeAt() - now);
-        }
+        sendRest();
         m_isOpen = false;
         withdrawLastStop();
         publish(true);
@@ -181,6 +182,36 @@ void LinkWorker::close(const std::vector<Transaction>& packets)
         m_transport->close();
     }
     emit closed(m_generation);
+}
+
+/// What has to be out before the port is closed: stops, and what closes open packets. Bounded.
+void LinkWorker::sendRest()
+{
+    const Instant end = clockNow() + kLongestClose;
+    while (m_isOpen && (m_engine->isStopQueued() || m_engine->isClearing()) && clockNow() < end) {
+        const LinkEngine::Action action = m_engine->next(clockNow());
+        if (action.kind == LinkEngine::Action::Kind::Send) {
+            send(action);
+        } else if (action.kind == LinkEngine::Action::Kind::Wait) {
+            m_transport->waitForBytes(
+                std::max<Duration>(std::min(action.until, end) - clockNow(), Duration(1)));
+        } else {
+            break;
+        }
+    }
+    // The port is closed only when the last byte has had its time on the wire.
+    for (Instant now = clockNow(); m_isOpen && now < std::min(end, m_engine->lineFreeAt());
+         now = clockNow()) {
+        m_transport->waitForBytes(m_engine->lineFreeAt() - now);
+    }
+}
+
+/// On a line that cannot be set as asked nothing goes out: it would be read otherwise.
+void LinkWorker::send(const LinkEngine::Action& action)
+{
+    if (!action.line || m_transport->setLine(*action.line)) {
+        m_transport->write(action.bytes);
+    }
 }
 
 void LinkWorker::schedulePump()
@@ -232,7 +263,7 @@ bool LinkWorker::step()
         }
         return false;
     case LinkEngine::Action::Kind::Send:
-        m_transport->write(action.bytes);
+        send(action);
         waitForReply();
         return true;
     case LinkEngine::Action::Kind::Wait:
@@ -262,7 +293,7 @@ void LinkWorker::waitForReply()
          now = clockNow()) {
         const LinkEngine::Action action = m_engine->next(now);
         if (action.kind == LinkEngine::Action::Kind::Send) {
-            m_transport->write(action.bytes);
+            send(action);
         } else if (action.kind == LinkEngine::Action::Kind::Wait && m_engine->isReplyDue()) {
             m_transport->waitForBytes(
                 std::max<Duration>(std::min(action.until, end) - clockNow(), Duration(1)));

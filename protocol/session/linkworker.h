@@ -49,6 +49,8 @@ private:
     void schedulePump();
     bool step(); ///< one action of the engine; false: nothing to do now
     void waitForReply();
+    void sendRest();
+    void send(const LinkEngine::Action& action);
     void openTransport();
     void closeTransport();
     void onFailed(const Error& error);

@@ -105,4 +105,11 @@ struct LinkBatch {
 [[nodiscard]] std::uint8_t deviceAfter(const Command& command, QByteArrayView payload,
                                        std::uint8_t device);
 
+/// True when no TReX would answer so (length and CRC already checked): values out of the range that
+/// the documents give. A wrong reply that passes the length is caught here.
+[[nodiscard]] bool isPlausible(const Command& command, QByteArrayView payload);
+
+/// The packets that stop all three motors: set to 0, or both motors at full brake.
+[[nodiscard]] std::vector<Command> stopCommands(bool brake);
+
 } // namespace trex

@@ -94,12 +94,8 @@ void SerialTransport::open(const LineSettings& settings)
     }
 #endif
     m_port.setPortName(name);
-    m_port.setBaudRate(settings.baud);
+    setLine(settings);
     m_port.setDataBits(QSerialPort::Data8);
-    m_port.setParity(settings.errorDetection == ErrorDetection::Even      ? QSerialPort::EvenParity
-                         : settings.errorDetection == ErrorDetection::Odd ? QSerialPort::OddParity
-                                                                          : QSerialPort::NoParity);
-    m_port.setStopBits(settings.stopBits == 2 ? QSerialPort::TwoStop : QSerialPort::OneStop);
     m_port.setFlowControl(QSerialPort::NoFlowControl);
     if (!m_port.open(QIODevice::ReadWrite)) {
         const QSerialPort::SerialPortError error = m_port.error();
@@ -112,6 +108,19 @@ void SerialTransport::open(const LineSettings& settings)
     askForLowLatency();
     m_port.clear(); // what came before we were here is nobody's reply
     emit opened();
+}
+
+bool SerialTransport::setLine(const LineSettings& settings)
+{
+    if (!m_port.setBaudRate(settings.baud)) {
+        return false; // this adapter has no such speed: whatever follows must not go out
+    }
+    // A pseudo-terminal refuses parity, and works all the same.
+    m_port.setParity(settings.errorDetection == ErrorDetection::Even      ? QSerialPort::EvenParity
+                         : settings.errorDetection == ErrorDetection::Odd ? QSerialPort::OddParity
+                                                                          : QSerialPort::NoParity);
+    m_port.setStopBits(settings.stopBits == 2 ? QSerialPort::TwoStop : QSerialPort::OneStop);
+    return true;
 }
 
 void SerialTransport::askForLowLatency()

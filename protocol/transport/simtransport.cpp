@@ -49,6 +49,13 @@ void SimTransport::open(const LineSettings& settings)
     emit opened();
 }
 
+bool SimTransport::setLine(const LineSettings& settings)
+{
+    m_line.advance(now());
+    m_line.setHostLine(sim::HostLine{settings.baud, settings.errorDetection, settings.stopBits});
+    return true;
+}
+
 void SimTransport::close()
 {
     m_isOpen = false;

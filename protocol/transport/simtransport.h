@@ -20,6 +20,8 @@ public:
 
     void open(const LineSettings& settings) override;
     void close() override;
+    bool setLine(const LineSettings& settings) override;
+    [[nodiscard]] bool canSetLine() const override { return true; }
     void write(const QByteArray& bytes) override;
     bool waitForBytes(Duration longest) override;
     [[nodiscard]] Instant now() const override;

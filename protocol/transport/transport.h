@@ -23,6 +23,11 @@ public:
     /// open.
     virtual void open(const LineSettings& settings) = 0;
     virtual void close() = 0;
+    /// Sets the open line to another speed, parity and stop bits; what was written before has left.
+    /// False: not possible here, and nothing changed.
+    virtual bool setLine([[maybe_unused]] const LineSettings& settings) { return false; }
+    /// Whether setLine() works at all. Over a network the line is the serial server's.
+    [[nodiscard]] virtual bool canSetLine() const { return false; }
     /// Hands all bytes to the line at once; a failure comes as failed().
     virtual void write(const QByteArray& bytes) = 0;
     /// Waits on the link thread until bytes came (received() was emitted: true), the line failed,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Probing at a wrong speed must never be readable as a motor command: the whole search, sent bit by
 // bit, to receivers at all speeds and parities.
+#include "protocol/codec/lineprobe.h"
 #include "protocol/codec/packet.h"
 #include "protocol/procedures/linesearch.h"
+#include "protocol/session/linkengine.h"
 #include "tests/support/linebits.h"
 
 #include <QTest>
@@ -25,15 +27,10 @@ constexpr std::array kPolicies{OnError::DropPacket, OnError::SkipByte, OnError::
 constexpr std::array kClockErrors{-0.02, -0.015, -0.01, -0.005, 0.0, 0.005, 0.01, 0.015, 0.02};
 constexpr std::array kPhases{0.0, 0.33, 0.67, 0.99};
 enum class Grid : std::uint8_t { Fine, Coarse }; ///< coarse: the ends and the middle of the clock
-// Between the bytes of a packet in bits, and between the packets of a clearing in seconds: a port
-// that hands on all at once, and ports that take their time.
-struct Gaps {
-    double byteBits;
-    double packets;
-};
-constexpr double kRest = std::chrono::duration<double>(LineSearch::kRest).count();
-constexpr std::array kGaps{Gaps{0.0, kRest}, Gaps{2.5, kRest + 0.001}, Gaps{200.0, kRest + 0.02}};
-constexpr double kWait = 0.06; // for a reply
+// Between the bytes of a packet, in bits: a port that hands on all at once, and ports that take
+// their time.
+constexpr std::array kGaps{0.0, 2.5, 200.0};
+constexpr double kRest = std::chrono::duration<double>(kWireRest).count();
 
 Parity parityOf(ErrorDetection detection)
 {
@@ -42,37 +39,18 @@ Parity parityOf(ErrorDetection detection)
                                              : Parity::None;
 }
 
-/// A try with all that is sent before the next one.
-struct Block {
-    LineSettings line;
-    std::vector<LineSearch::Ask> asks;
-};
-
-std::vector<Block> blocksOf(const LineSearchOptions& options)
-{
-    LineSearch search(options);
-    std::vector<Block> blocks;
-    while (const auto ask = search.next()) {
-        if (ask->isTry) {
-            blocks.push_back({ask->line, {}});
-        }
-        blocks.back().asks.push_back(*ask);
-        search.answer({});
-    }
-    return blocks;
-}
-
-Wave waveOf(const Block& block, const Gaps& gaps)
+/// Pieces with rests between them, as they leave a port.
+Wave waveOf(const std::vector<WirePiece>& pieces, double gapBits)
 {
     Wave wave;
     double pause = 1.0; // a rest before
-    for (const auto& ask : block.asks) {
-        for (qsizetype i = 0; i < ask.bytes.size(); ++i) {
-            wave.send(static_cast<std::uint8_t>(ask.bytes[i]), ask.line.baud,
-                      parityOf(ask.line.errorDetection), ask.line.stopBits,
-                      i == 0 ? pause : gaps.byteBits / ask.line.baud);
+    for (const WirePiece& piece : pieces) {
+        for (qsizetype i = 0; i < piece.bytes.size(); ++i) {
+            wave.send(static_cast<std::uint8_t>(piece.bytes[i]), piece.line.baud,
+                      parityOf(piece.line.errorDetection), piece.line.stopBits,
+                      i == 0 ? pause : gapBits / piece.line.baud);
         }
-        pause = ask.replyBytes > 0 ? kWait : gaps.packets;
+        pause = kRest;
     }
     return wave;
 }
@@ -80,13 +58,6 @@ Wave waveOf(const Block& block, const Gaps& gaps)
 struct Controller {
     int baud = 19200;
     ErrorDetection detection = ErrorDetection::None;
-    [[nodiscard]] bool answers(const LineSettings& line) const
-    {
-        // Odd parity hears the try without: a question with odd parity follows (LineSearch).
-        const bool isOdd =
-            detection == ErrorDetection::Odd && line.errorDetection == ErrorDetection::None;
-        return line.baud == baud && (line.errorDetection == detection || isOdd);
-    }
 };
 
 std::vector<Controller> everyController()
@@ -117,54 +88,169 @@ void forEveryClock(const Controller& controller, bool restartsLow, const Each& e
 }
 
 struct Tally {
-    qint64 cases =
-        0; ///< a controller, its clock, its way with errors, the gaps: a whole search each
+    qint64 cases = 0;
     qint64 commands = 0;
     qint64 moving = 0;
     qint64 leftOpen = 0;
     QString example;
 };
 
-/// Plays the search to every controller until that one would have answered. `deaf`: its answers
-/// never arrive.
-Tally play(const std::vector<Block>& blocks, OnError policy, bool deaf = false,
-           bool restartsLow = false, Grid grid = Grid::Fine)
+LineSettings lineOf(const Controller& controller, int stopBits = 1)
 {
-    const auto controllers = everyController();
+    LineSettings line;
+    line.baud = controller.baud;
+    line.errorDetection = controller.detection;
+    line.stopBits = stopBits;
+    return line;
+}
+
+/// A question as receivers may hear it: in all the ways that a port may pace it.
+struct Question {
+    QString name;
+    std::vector<std::vector<WirePiece>> parts; ///< what is out when it ends or is cancelled
+    bool mayRepeat = true;
+};
+
+Question questionOf(const LineSettings& line)
+{
+    const LineProbe probe = lineProbe(line);
+    Question question{
+        u"%1 baud, %2"_s.arg(line.baud).arg(int(line.errorDetection)), {}, probe.mayRepeat};
+    for (std::size_t i = 1; i <= probe.pieces.size(); ++i) {
+        question.parts.emplace_back(probe.pieces.begin(), probe.pieces.begin() + int(i));
+    }
+    return question;
+}
+
+/// All questions in any order and number, each followed by the clearing: what a receiver can come
+/// to, to the last reachable state. This is the induction over all searches and connections.
+Tally exhaust(const std::vector<Question>& questions, bool restartsLow, Grid grid)
+{
+    struct Heard {
+        std::vector<HeardByte> bytes;
+        int repeats;
+        const QString* name;
+    };
     Tally tally;
-    for (const Gaps& gaps : kGaps) {
-        std::vector<Wave> waves;
-        for (const Block& block : blocks) {
-            waves.push_back(waveOf(block, gaps));
+    for (const Controller& controller : everyController()) {
+        if (controller.detection == ErrorDetection::Crc7) {
+            continue; // on the wire as without
         }
-        for (const Controller& controller : controllers) {
-            forEveryClock(
-                controller, restartsLow,
-                [&](const Receiver& receiver) {
-                    MotorWatch watch(policy);
-                    std::size_t i = 0;
-                    for (; i < blocks.size() && (deaf || !controller.answers(blocks[i].line));
-                         ++i) {
-                        watch.feed(receiver.hear(waves[i]));
-                        if ((restartsLow ? watch.moving : watch.commands) > 0
-                            && tally.example.isEmpty()) {
-                            tally.example = u"controller %1 detection %2 clock %3, try %4 baud %5"_s
-                                                .arg(controller.baud)
-                                                .arg(int(controller.detection))
-                                                .arg(receiver.baud / controller.baud)
-                                                .arg(blocks[i].line.baud)
-                                                .arg(int(blocks[i].line.errorDetection));
+        forEveryClock(
+            controller, restartsLow,
+            [&](const Receiver& receiver) {
+                const auto clearing = receiver.hear(waveOf(lineClearing(), 0.0));
+                std::vector<Heard> all;
+                for (const Question& question : questions) {
+                    for (const auto& part : question.parts) {
+                        const bool isWhole = &part == &question.parts.back();
+                        for (const double gap : kGaps) {
+                            all.push_back({receiver.hear(waveOf(part, gap)),
+                                           isWhole && question.mayRepeat ? 4 : 1, &question.name});
+                            if (part.back().bytes.size() == 1) {
+                                break; // nothing to pace
+                            }
                         }
                     }
-                    ++tally.cases;
-                    tally.commands += watch.commands;
-                    tally.moving += watch.moving;
-                    tally.leftOpen += i == blocks.size() && watch.isOpen() ? 1 : 0;
-                },
-                grid);
-        }
+                }
+                for (const OnError policy : kPolicies) {
+                    std::vector<MotorWatch> states{MotorWatch(policy)};
+                    for (std::size_t at = 0; at < states.size(); ++at) {
+                        for (const Heard& heard : all) {
+                            MotorWatch watch = states[at];
+                            for (int i = 0; i < heard.repeats; ++i) {
+                                watch.feed(heard.bytes);
+                                MotorWatch cleared = watch;
+                                cleared.feed(clearing);
+                                ++tally.cases;
+                                if (cleared.commands > 0) {
+                                    tally.commands += cleared.commands;
+                                    tally.moving += cleared.moving;
+                                    tally.example =
+                                        u"%1 at %2 baud, parity %3, policy %4"_s.arg(*heard.name)
+                                            .arg(receiver.baud)
+                                            .arg(int(receiver.parity))
+                                            .arg(int(policy));
+                                    cleared.commands = cleared.moving = 0;
+                                }
+                                if (std::ranges::none_of(states, [&](const MotorWatch& known) {
+                                        return known.state() == cleared.state();
+                                    })) {
+                                    states.push_back(cleared);
+                                }
+                            }
+                        }
+                    }
+                    tally.leftOpen += std::ranges::count_if(states, &MotorWatch::isOpen);
+                }
+            },
+            grid);
     }
     return tally;
+}
+
+/// What a connection sends, at its own times, until it is given up: nobody answers.
+struct Sent {
+    LineSettings line;
+    QByteArray bytes;
+    double at = 0.0; ///< seconds
+};
+std::vector<Sent> connection(const LineSettings& line, bool reconnect, bool canSetLine = true)
+{
+    LinkEngine engine(line, true, reconnect, canSetLine);
+    const Instant begin{std::chrono::hours(1)};
+    const Instant end = begin + std::chrono::seconds(2);
+    Instant now = begin;
+    LineSettings set = line;
+    std::vector<Sent> sent;
+    engine.opened(now);
+    for (bool isOver = false;;) {
+        if (!isOver && now >= end) {
+            engine.shutDown();
+            isOver = true;
+        }
+        const LinkEngine::Action action = engine.next(now);
+        if (action.kind == LinkEngine::Action::Kind::Send) {
+            set = action.line.value_or(set);
+            sent.push_back({set, action.bytes, std::chrono::duration<double>(now - begin).count()});
+        } else if (action.kind == LinkEngine::Action::Kind::Wait) {
+            now = std::max(now, isOver ? action.until : std::min(action.until, end));
+        } else if (isOver) {
+            return sent;
+        } else {
+            now = end;
+        }
+        std::ignore = engine.takeBatch(now);
+    }
+}
+
+Wave waveOf(const std::vector<Sent>& sent)
+{
+    Wave wave;
+    double end = 0.0;
+    for (const Sent& packet : sent) {
+        for (qsizetype i = 0; i < packet.bytes.size(); ++i) {
+            wave.send(static_cast<std::uint8_t>(packet.bytes[i]), packet.line.baud,
+                      parityOf(packet.line.errorDetection), packet.line.stopBits,
+                      i == 0 ? packet.at - end : 0.0);
+        }
+        end = packet.at
+            + std::chrono::duration<double>(packet.line.timeOf(int(packet.bytes.size()))).count();
+    }
+    return wave;
+}
+
+void count(Tally& tally, const Receiver& receiver, const Wave& wave)
+{
+    const auto heard = receiver.hear(wave);
+    for (const OnError policy : kPolicies) {
+        MotorWatch watch(policy);
+        watch.feed(heard);
+        ++tally.cases;
+        tally.commands += watch.commands;
+        tally.moving += watch.moving;
+        tally.leftOpen += watch.isOpen() ? 1 : 0;
+    }
 }
 
 /// One packet, sent once to every receiver at another speed.
@@ -203,13 +289,6 @@ void print(const QString& what, const Tally& tally)
                              .arg(tally.leftOpen);
 }
 
-QString nameOf(OnError policy)
-{
-    return policy == OnError::DropPacket ? u"bad bytes end the packet"_s
-        : policy == OnError::SkipByte    ? u"bad bytes are skipped"_s
-                                         : u"bad bytes are taken"_s;
-}
-
 } // namespace
 
 class TestLineBits : public QObject {
@@ -220,14 +299,13 @@ private slots:
     void model_flagsAnotherParity();
     void plainSignature_opensAMotorCommand();
     void stopPackets_areOrdersAtOtherSpeeds();
-    void search_isNeverAMotorCommand_data();
+    void question_isNoQueryElsewhere();
+    void anyOrder_isNeverAMotorCommand();
+    void everyPolynomial_isNeverAMotorCommand();
+    void connection_isNeverAMotorCommand();
     void search_isNeverAMotorCommand();
-    void search_fromEveryRememberedLine_isNeverAMotorCommand();
-    void search_withEveryPolynomial_isNeverAMotorCommand();
-    void probe_isNoQueryElsewhere();
-    void cancelledSearch_leavesNothingOpen();
-    void unanswered_movesNothing();
-    void lowRestart_movesNothing();
+    void network_isTold();
+    void lowRestart_isTold();
 };
 
 void TestLineBits::model_hearsItsOwnSpeed()
@@ -298,86 +376,17 @@ void TestLineBits::stopPackets_areOrdersAtOtherSpeeds()
     QVERIFY(taken.commands > 0);
 }
 
-void TestLineBits::search_isNeverAMotorCommand_data()
-{
-    QTest::addColumn<int>("policy");
-    QTest::addColumn<int>("baud");
-    QTest::addColumn<int>("detection");
-    for (const OnError policy : kPolicies) {
-        QTest::newRow(qPrintable(u"factory line, "_s + nameOf(policy)))
-            << int(policy) << 19200 << int(ErrorDetection::None);
-        QTest::newRow(qPrintable(u"115200 CRC-7, "_s + nameOf(policy)))
-            << int(policy) << 115200 << int(ErrorDetection::Crc7);
-    }
-}
-
-void TestLineBits::search_isNeverAMotorCommand()
-{
-    QFETCH(int, policy);
-    QFETCH(int, baud);
-    QFETCH(int, detection);
-    LineSettings given;
-    given.baud = baud;
-    given.errorDetection = static_cast<ErrorDetection>(detection);
-    const Tally tally = play(blocksOf({.given = given}), static_cast<OnError>(policy));
-    print(QString::fromUtf8(QTest::currentDataTag()), tally);
-    QVERIFY2(tally.commands == 0, qPrintable(tally.example));
-    QCOMPARE(tally.leftOpen, 0);
-    QVERIFY(tally.cases > 9'000);
-}
-
-void TestLineBits::search_fromEveryRememberedLine_isNeverAMotorCommand()
-{
-    Tally sum;
-    for (const Controller& remembered : everyController()) {
-        LineSettings line;
-        line.baud = remembered.baud;
-        line.errorDetection = remembered.detection;
-        // The order differs in its first tries only: those, and what follows until all is closed.
-        auto blocks = blocksOf({.given = {}, .remembered = {line}});
-        blocks.resize(4);
-        for (const OnError policy : kPolicies) {
-            const Tally tally = play(blocks, policy, false, false, Grid::Coarse);
-            QVERIFY2(tally.commands == 0, qPrintable(tally.example));
-            sum.cases += tally.cases;
-        }
-    }
-    print(u"first tries from every remembered line"_s, sum);
-}
-
-void TestLineBits::search_withEveryPolynomial_isNeverAMotorCommand()
-{
-    Tally sum;
-    for (int polynomial = 0x80; polynomial <= 0xFF; polynomial += 7) {
-        LineSettings line;
-        line.polynomial = static_cast<std::uint8_t>(polynomial);
-        auto blocks = blocksOf({.given = line});
-        std::erase_if(blocks, [](const Block& block) { return !block.line.hasCrc(); });
-        // Unclean ones come when faster controllers have answered: those are left out here.
-        std::erase_if(blocks, [](const Block& block) {
-            return !isCleanCrcProbe(block.line.baud,
-                                    static_cast<std::uint8_t>(block.asks.front().bytes.back()));
-        });
-        for (const OnError policy : {OnError::DropPacket, OnError::TakeByte}) {
-            const Tally tally = play(blocks, policy, true, false, Grid::Coarse);
-            QVERIFY2(
-                tally.commands == 0,
-                qPrintable(u"polynomial 0x%1: %2"_s.arg(polynomial, 0, 16).arg(tally.example)));
-            sum.cases += tally.cases;
-        }
-    }
-    print(u"CRC tries with 19 polynomials, nobody answers"_s, sum);
-}
-
 /// So that 0x81 and 0x83, which follow an answer, are never sent at a wrong speed.
-void TestLineBits::probe_isNoQueryElsewhere()
+void TestLineBits::question_isNoQueryElsewhere()
 {
     qint64 cases = 0;
-    for (const int baud : kBaudRates) {
-        Wave wave;
-        wave.send(0x84, baud, Parity::None, 2);
+    for (const Controller& host : everyController()) {
+        if (host.detection == ErrorDetection::Crc7) {
+            continue; // an answer there would have to have our CRC byte
+        }
+        const Wave wave = waveOf(lineProbe(lineOf(host)).pieces, 0.0);
         for (const Controller& controller : everyController()) {
-            if (controller.baud == baud) {
+            if (controller.baud == host.baud) {
                 continue;
             }
             forEveryClock(controller, false, [&](const Receiver& receiver) {
@@ -388,78 +397,144 @@ void TestLineBits::probe_isNoQueryElsewhere()
             });
         }
     }
-    qInfo().noquote() << u"the probe read as a query at another speed: 0 of %1"_s.arg(cases);
+    qInfo().noquote() << u"the question read as a query at another speed: 0 of %1"_s.arg(cases);
 }
 
-void TestLineBits::cancelledSearch_leavesNothingOpen()
+void TestLineBits::anyOrder_isNeverAMotorCommand()
 {
-    const auto blocks = blocksOf({});
-    LineSearch search({});
-    std::ignore = search.next();
-    search.giveUp();
-    Block last;
-    while (const auto ask = search.next()) {
-        QVERIFY(!ask->isTry);
-        last.asks.push_back(*ask);
-        search.answer({});
-    }
-    QVERIFY(!last.asks.empty());
-    qint64 cases = 0;
-    for (const OnError policy : kPolicies) {
-        for (const Controller& controller : everyController()) {
-            forEveryClock(
-                controller, false,
-                [&](const Receiver& receiver) {
-                    for (const Gaps& gaps : {kGaps[0]}) {
-                        const auto closing = receiver.hear(waveOf(last, gaps));
-                        MotorWatch watch(policy);
-                        for (const Block& block : blocks) {
-                            if (controller.answers(block.line)) {
-                                break;
-                            }
-                            // Cancelled before the clearing: only the try itself has gone out.
-                            MotorWatch cancelled = watch;
-                            cancelled.feed(
-                                receiver.hear(waveOf({block.line, {block.asks.front()}}, gaps)));
-                            cancelled.feed(closing);
-                            QCOMPARE(cancelled.commands, 0);
-                            const bool isEven = controller.detection == ErrorDetection::Even;
-                            QVERIFY(!cancelled.isOpen() || (isEven && policy == OnError::SkipByte));
-                            watch.feed(receiver.hear(waveOf(block, gaps)));
-                            ++cases;
-                        }
-                    }
-                },
-                Grid::Coarse);
+    std::vector<Question> questions;
+    for (const Controller& host : everyController()) {
+        questions.push_back(questionOf(lineOf(host)));
+        if (host.detection == ErrorDetection::Crc7) {
+            questions.push_back(questionOf(lineOf(host, 2)));
         }
     }
-    qInfo().noquote() << u"cancelled after every try: %1 cases"_s.arg(cases);
+    const Tally tally = exhaust(questions, false, Grid::Fine);
+    print(u"any questions in any order, each cleared after"_s, tally);
+    QVERIFY2(tally.commands == 0, qPrintable(tally.example));
+    QVERIFY(tally.cases > 500'000);
 }
 
-/// A controller whose answers do not arrive (a broken wire, a polynomial nobody knows) hears the
-/// search to its end.
-void TestLineBits::unanswered_movesNothing()
+void TestLineBits::everyPolynomial_isNeverAMotorCommand()
 {
-    for (const OnError policy : kPolicies) {
-        const Tally tally = play(blocksOf({}), policy, true);
-        print(u"nobody answers, "_s + nameOf(policy), tally);
-        QCOMPARE(tally.moving, 0);
-        QVERIFY2(policy == OnError::TakeByte || tally.commands == 0, qPrintable(tally.example));
+    Tally sum;
+    int unclean = 0;
+    for (int polynomial = 0x80; polynomial <= 0xFF; ++polynomial) {
+        std::vector<Question> questions;
+        for (const int baud : kBaudRates) {
+            LineSettings line = lineOf({baud, ErrorDetection::Crc7});
+            line.polynomial = static_cast<std::uint8_t>(polynomial);
+            const bool isClean = lineProbe(line).isClean;
+            QVERIFY(isClean || baud == 14400);
+            unclean += isClean ? 0 : 1;
+            if (isClean && polynomial % 7 == 0) {
+                questions.push_back(questionOf(line));
+            }
+        }
+        const Tally tally = exhaust(questions, false, Grid::Coarse);
+        QVERIFY2(tally.commands == 0, qPrintable(tally.example));
+        sum.cases += tally.cases;
     }
+    print(u"the same with 18 polynomials"_s, sum);
+    qInfo().noquote() << u"no clean question: %1 of 1408 (speed, polynomial), at 14400 baud"_s.arg(
+        unclean);
+    QVERIFY(unclean <= 16);
 }
 
-/// A receiver that takes a line still low for the next start bit, against its family's data sheet:
-/// nothing moves but by some of the CRC-7 tries, which are told and counted here.
-void TestLineBits::lowRestart_movesNothing()
+/// The connection itself, as LinkEngine sends it, to everybody else.
+void TestLineBits::connection_isNeverAMotorCommand()
 {
-    for (const OnError policy : {OnError::DropPacket, OnError::SkipByte}) {
-        auto blocks = blocksOf({});
-        print(u"quirk: low restarts, "_s + nameOf(policy), play(blocks, policy, false, true));
-        std::erase_if(blocks, [](const Block& block) { return block.line.hasCrc(); });
-        const Tally tally = play(blocks, policy, false, true);
-        print(u"the same, without the CRC-7 tries"_s, tally);
-        QVERIFY2(tally.moving == 0, qPrintable(tally.example));
+    Tally tally;
+    for (const Controller& host : everyController()) {
+        for (const bool reconnect : {false, true}) {
+            const auto sent = connection(lineOf(host, host.baud % 2 + 1), reconnect);
+            const auto clearing = lineClearing();
+            QVERIFY(sent.size() > clearing.size() + 2);
+            for (std::size_t i = 0; i < clearing.size(); ++i) { // it ends so, given up or closed
+                const Sent& last = sent[sent.size() - clearing.size() + i];
+                QCOMPARE(last.bytes, clearing[i].bytes);
+                QCOMPARE(last.line.baud, clearing[i].line.baud);
+            }
+            const Wave wave = waveOf(sent);
+            for (const Controller& controller : everyController()) {
+                if (controller.baud != host.baud) {
+                    forEveryClock(
+                        controller, false,
+                        [&](const Receiver& receiver) { count(tally, receiver, wave); },
+                        Grid::Coarse);
+                }
+            }
+        }
     }
+    print(u"Connect, given up and cancelled"_s, tally);
+    QCOMPARE(tally.commands, 0);
+}
+
+/// The search to its end, for controllers whose answers do not arrive; it is the longest.
+void TestLineBits::search_isNeverAMotorCommand()
+{
+    Tally tally;
+    LineSearch search({});
+    std::vector<WirePiece> pieces;
+    while (const auto ask = search.next()) {
+        pieces.push_back({ask->line, ask->bytes});
+        search.answer({});
+    }
+    for (const double gap : kGaps) {
+        const Wave wave = waveOf(pieces, gap);
+        for (const Controller& controller : everyController()) {
+            forEveryClock(controller, false,
+                          [&](const Receiver& receiver) { count(tally, receiver, wave); });
+        }
+    }
+    print(u"a whole search that nobody answers"_s, tally);
+    QCOMPARE(tally.commands, 0);
+}
+
+/// Over a serial server the speed is not ours to set, so that nothing can be cleared. Told here,
+/// and in the manual page.
+void TestLineBits::network_isTold()
+{
+    Tally plain;
+    Tally crc;
+    for (const Controller& host : everyController()) {
+        if (lineOf(host).hasParity()) {
+            continue; // the server's too
+        }
+        const Wave wave = waveOf(connection(lineOf(host), true, false));
+        for (const Controller& controller : everyController()) {
+            if (controller.baud != host.baud) {
+                forEveryClock(
+                    controller, false,
+                    [&](const Receiver& receiver) {
+                        count(host.detection == ErrorDetection::Crc7 ? crc : plain, receiver, wave);
+                    },
+                    Grid::Coarse);
+            }
+        }
+    }
+    print(u"Connect over a network, no CRC-7"_s, plain);
+    print(u"Connect over a network, CRC-7"_s, crc);
+    QCOMPARE(plain.moving + crc.moving, 0);
+}
+
+/// A receiver that takes a line still low for the next start bit, against its family's data sheet.
+void TestLineBits::lowRestart_isTold()
+{
+    Tally search;
+    LineSearch asked({});
+    std::vector<WirePiece> pieces;
+    while (const auto ask = asked.next()) {
+        pieces.push_back({ask->line, ask->bytes});
+        asked.answer({});
+    }
+    const Wave wave = waveOf(pieces, 0.0);
+    for (const Controller& controller : everyController()) {
+        forEveryClock(controller, true,
+                      [&](const Receiver& receiver) { count(search, receiver, wave); });
+    }
+    print(u"quirk: low restarts, a whole search"_s, search);
+    QVERIFY(search.cases > 9'000);
 }
 
 QTEST_GUILESS_MAIN(TestLineBits)

@@ -108,6 +108,8 @@ class TestEngineVsSimulator : public QObject {
     Q_OBJECT
 
 private slots:
+    void damagedSetting_endsInStoppedMotors_data();
+    void damagedSetting_endsInStoppedMotors(); // C-08 C-38
     void queries_haveTheControllersValues_data() { addLines(); }
     void queries_haveTheControllersValues() // C-01 C-02 C-03 C-13 C-17 C-18 C-23 C-34
     {
@@ -480,6 +482,54 @@ private slots:
         QCOMPARE(link.line.device().output(MotorId::Motor1), sim::MotorOutput{});
     }
 };
+
+void TestEngineVsSimulator::damagedSetting_endsInStoppedMotors_data()
+{
+    QTest::addColumn<bool>("isCalibration");
+    QTest::newRow("parameter") << false;
+    QTest::newRow("calibration") << true;
+}
+
+/// Every byte of a setting's packet, its top bit turned over and others with it: some are motor
+/// orders, and all end in stopped motors.
+void TestEngineVsSimulator::damagedSetting_endsInStoppedMotors()
+{
+    QFETCH(bool, isCalibration);
+    const Command command = isCalibration
+        ? writeCalibration(1, {2501, 3751, 5001, 101})
+        : writeParameter(parameterRow("serial-timeout").number, 5);
+    const auto length = encode(command, {}).size();
+    int moved = 0;
+    for (qsizetype at = 0; at < length; ++at) {
+        for (int mask = 0x01; mask <= 0xFF; mask += at == 0 ? 1 : mask < 0x80 ? 0x7F : 1) {
+            sim::SimOptions options;
+            options.pace = true;
+            SimulatedLink link(options, {});
+            link.open();
+            link.run(100ms);
+            QCOMPARE(link.engine.state(), LinkState::Connected);
+            sim::Faults faults;
+            faults.corruptAt = link.line.wireBytes() + at + 1;
+            faults.corruptMask = static_cast<std::uint8_t>(mask);
+            link.line.setFaults(faults, link.now);
+            link.engine.submit({.id = 1, .command = command});
+            link.run(900ms);
+            bool moves = false; // by the latest motor packet that was heard
+            bool everMoved = false;
+            for (const sim::HeardPacket& packet : link.line.device().heard()) {
+                if (packet.kind == sim::PacketKind::Motor) {
+                    const QByteArrayView speeds = QByteArrayView(packet.bytes).sliced(1);
+                    moves = std::ranges::any_of(speeds, [](char c) { return c != 0; });
+                    everMoved = everMoved || moves;
+                }
+            }
+            moved += everMoved ? 1 : 0;
+            QVERIFY2(!moves, qPrintable(QStringLiteral("byte %1, mask %2").arg(at).arg(mask)));
+        }
+    }
+    qInfo("%d damages were heard as a motor order; all were stopped", moved);
+    QVERIFY(moved > 0);
+}
 
 QTEST_APPLESS_MAIN(TestEngineVsSimulator)
 #include "tst_enginevssimulator.moc"

@@ -60,10 +60,17 @@ std::vector<Transaction> stopPackets()
     return packets;
 }
 
+QByteArray withCrc(const QByteArray& reply, bool hasCrc)
+{
+    return hasCrc && !reply.isEmpty() ? reply + char(crc7(reply, kDefaultPolynomial)) : reply;
+}
+
 VirtualLine connectedLine(const LineSettings& settings = {})
 {
     VirtualLine line(settings);
-    line.peer = trexAnswers;
+    line.peer = [hasCrc = settings.hasCrc()](const QByteArray& packet) {
+        return withCrc(trexAnswers(packet), hasCrc);
+    };
     line.open();
     line.run(200ms);
     return line;
@@ -82,10 +89,11 @@ class TestLinkEngine : public QObject {
     Q_OBJECT
 
 private slots:
-    void open_asksForTheSignatureFirst()
+    void open_asksForTheSignatureWhereSomebodyAnswers()
     {
         const VirtualLine line = connectedLine();
-        QCOMPARE(line.sentPackets().first(), QByteArray::fromHex("81"));
+        QCOMPARE(line.sentPackets().mid(0, 2),
+                 (QByteArrayList{QByteArray::fromHex("82"), QByteArray::fromHex("81")}));
         QCOMPARE(line.engine.state(), LinkState::Connected);
         const auto identified =
             std::find_if(line.events.begin(), line.events.end(),
@@ -191,6 +199,42 @@ private slots:
         line.run(1s);
         QVERIFY(!line.outcomes.back().reply.has_value());
         QCOMPARE(line.sentPackets().count(QByteArray::fromHex("af0705552a")), 1);
+    }
+
+    void doubtfulWrite_isFollowedByStop_data()
+    {
+        QTest::addColumn<QByteArray>("answer");
+        QTest::addColumn<bool>("hasCrc");
+        QTest::addColumn<bool>("stops");
+        QTest::newRow("done") << QByteArray(1, '\0') << false << false;
+        QTest::newRow("not in serial mode") << QByteArray(1, '\3') << false << false;
+        QTest::newRow("bad value") << QByteArray(1, '\2') << false << true;
+        QTest::newRow("no such answer") << QByteArray("x") << false << true;
+        QTest::newRow("silence") << QByteArray() << false << true;
+        QTest::newRow("two bytes") << QByteArray(2, '\0') << false << true;
+        QTest::newRow("silence, CRC-7") << QByteArray() << true << false;
+    }
+    void doubtfulWrite_isFollowedByStop()
+    {
+        QFETCH(QByteArray, answer);
+        QFETCH(bool, hasCrc);
+        QFETCH(bool, stops);
+        LineSettings settings;
+        settings.errorDetection = hasCrc ? ErrorDetection::Crc7 : ErrorDetection::None;
+        VirtualLine line = connectedLine(settings);
+        line.peer = [&](const QByteArray& packet) {
+            return packet.startsWith('\xAF') ? answer : withCrc(trexAnswers(packet), hasCrc);
+        };
+        line.sent.clear();
+        line.engine.submit(user(1, writeParameter(7, 5)));
+        line.engine.submit(user(2, query("get-uart-errors")));
+        line.run(300ms);
+        const qsizetype at = line.sentPackets().indexOf(QByteArray::fromHex("da0000"));
+        QCOMPARE(at >= 0, stops);
+        if (stops) { // before anything else that waits
+            QCOMPARE(at, 1);
+            QCOMPARE(line.sentPackets()[at + 1], QByteArray::fromHex("f000"));
+        }
     }
 
     void lateReply_isNeverTakenForTheNext_data()

@@ -171,6 +171,11 @@ public:
     }
     /// A motor command waits for its data.
     [[nodiscard]] bool isOpen() const { return m_state == State::Motor; }
+    /// Equal: the same bytes will be read alike. 0: no packet is open.
+    [[nodiscard]] int state() const
+    {
+        return int(m_state) * 4 + (m_state == State::Motor ? m_wanted : 0);
+    }
 
     int commands = 0;
     int moving = 0; ///< of them, with a speed or duty other than 0

@@ -34,6 +34,10 @@ public:
             listen();
             const LinkEngine::Action action = engine.next(now);
             if (action.kind == LinkEngine::Action::Kind::Send) {
+                if (action.line) {
+                    line.setHostLine(sim::HostLine{action.line->baud, action.line->errorDetection,
+                                                   action.line->stopBits});
+                }
                 line.write(action.bytes, now);
                 ++packets;
                 listen();
