@@ -105,6 +105,15 @@ QString spanText(double raw, InputKind input)
                                         .arg(voltsFromRaw(rounded), 0, 'f', 2);
 }
 
+QString noiseText(double sigma, InputKind input)
+{
+    constexpr double kMicrosecondsPerRaw = 0.4;
+    return input == InputKind::Rc ? translated(QT_TRANSLATE_NOOP("Calibration", "%1 µs"))
+                                        .arg(sigma * kMicrosecondsPerRaw, 0, 'f', 1)
+                                  : translated(QT_TRANSLATE_NOOP("Calibration", "%1 V"))
+                                        .arg(sigma * voltsFromRaw(1000) / 1000.0, 0, 'f', 3);
+}
+
 QString verdictText(Verdict verdict)
 {
     switch (verdict) {
@@ -123,7 +132,7 @@ QString findingText(Finding finding, const LearnedChannel& learned, InputKind in
     QString text = translated(kFindings[static_cast<std::size_t>(finding)].text);
     text.replace("%1"_L1, spanText(std::min(learned.lowTravel(), learned.highTravel()), input));
     text.replace("%2"_L1, spanText(calibrationRules(input).neededTravel, input));
-    text.replace("%3"_L1, u"σ "_s + spanText(learned.sigma, input));
+    text.replace("%3"_L1, u"σ "_s + noiseText(learned.sigma, input));
     text.replace("%4"_L1, QString::number(learned.missedShare() * 100.0, 'f', 0));
     text.replace("%5"_L1, confusionText(learned.confusion, input));
     text.replace("%6"_L1, QString::number(learned.spikeShare() * 100.0, 'f', 1));
@@ -188,7 +197,9 @@ QString centringText(const LearnedChannel& learned, InputKind input)
 QString endsText(const LearnedChannel& learned, InputKind input)
 {
     const auto text = [&](double uncertainty, const EndWindow& window) {
-        const double rounded = std::max(1.0, std::ceil(uncertainty));
+        // Up to the next step that is shown: never said to be surer than it is.
+        const double step = input == InputKind::Rc ? 2.5 : 2.05; // 1 µs, 0.01 V
+        const double rounded = step * std::max(1.0, std::ceil(uncertainty / step));
         return window.samples == 0
             ? translated(QT_TRANSLATE_NOOP("Calibration", "not reached"))
             : translated(QT_TRANSLATE_NOOP("Calibration", "±%1 (%2 samples)"))
@@ -210,7 +221,7 @@ QString figuresText(const LearnedChannel& learned, InputKind input)
     const double travel = learned.lowTravel() + learned.highTravel();
     lines << translated(QT_TRANSLATE_NOOP("Calibration",
                                           "Noise at rest: σ %1 (%2 % of the travel); jumps: %3"))
-                 .arg(spanText(learned.sigma, input))
+                 .arg(noiseText(learned.sigma, input))
                  .arg(travel > 0.0 ? learned.sigma / travel * 100.0 : 0.0, 0, 'f', 2)
                  .arg(learned.spikes);
     lines << translated(QT_TRANSLATE_NOOP("Calibration", "Travel: %1 down, %2 up; symmetry %3 %"))

@@ -13,6 +13,9 @@ namespace trex {
 /// A difference of readings: "210 µs", "0.61 V".
 [[nodiscard]] QString spanText(double raw, InputKind input);
 
+/// Noise, σ in raw units, which is less than a step of spanText(): "0.4 µs", "0.003 V".
+[[nodiscard]] QString noiseText(double sigma, InputKind input);
+
 [[nodiscard]] QString verdictText(Verdict verdict); ///< "good", "usable", "do again"
 /// One sentence: what was found and, where something can be done, what to do.
 [[nodiscard]] QString findingText(Finding finding, const LearnedChannel& learned, InputKind input);

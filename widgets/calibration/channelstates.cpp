@@ -173,7 +173,7 @@ ChannelState verifyState(const ChannelCalibration& calibration, int channel, int
         Texts::tr("ends %1 / %2")
             .arg(remappedText(verifier->now().lowest), remappedText(verifier->now().highest));
     if (before) {
-        detail += Texts::tr(", %1 before").arg(about + remappedText(before->remap(raw)));
+        detail += Texts::tr(", was %1").arg(about + remappedText(before->remap(raw)));
         reached += Texts::tr(", before %1 / %2")
                        .arg(remappedText(verifier->before().lowest),
                             remappedText(verifier->before().highest));
@@ -205,7 +205,7 @@ ChannelState reviewState(const ChannelCalibration& calibration, int channel)
     const QString summary = Texts::tr("%1 samples, %2 % missed, σ %3, symmetry %4 %")
                                 .arg(learned->samples)
                                 .arg(learned->missedShare() * 100.0, 0, 'f', 1)
-                                .arg(spanText(learned->sigma, calibration.input()))
+                                .arg(noiseText(learned->sigma, calibration.input()))
                                 .arg(learned->symmetry() * 100.0, 0, 'f', 0);
     return {shape, verdictText(learned->verdict), reason + u'\n' + summary, figures};
 }
