@@ -73,6 +73,13 @@ public:
                 QObject::connect(m_scan.get(), &Scan::finished, &session, handler);
                 m_scan->start();
             });
+        if (m_isAll && result) { // for the advice on a new device number
+            std::set<int> numbers;
+            for (const ScanHit& hit : m_scan->hits()) {
+                numbers.insert(hit.device);
+            }
+            LineSettingsStore(file).rememberNumbers(options.port, numbers);
+        }
         if (m_scan->hits().empty()) {
             const Error error = result ? Error{ErrorCode::NoReply, options.port} : result.error();
             if (exitCodeOf(error.code) == exitcode::kNoReply && session.output().isJson()) {

@@ -20,6 +20,13 @@ Setting<QString> portSetting(const QString& port)
     return {QStringLiteral("linePorts/") + encoded, {}};
 }
 
+/// "3 9"
+Setting<QString> numbersSetting(const QString& port)
+{
+    const auto encoded = QString::fromLatin1(QUrl::toPercentEncoding(port));
+    return {QStringLiteral("lineNumbers/") + encoded, {}};
+}
+
 constexpr std::array<QLatin1StringView, 3> kEchoKeys{
     QLatin1StringView("auto"), QLatin1StringView("on"), QLatin1StringView("off")};
 
@@ -85,6 +92,29 @@ void LineSettingsStore::remember(const QString& port, const LineSettings& settin
 {
     m_file.set(lastPortSetting(), port);
     m_file.set(portSetting(port), toText(settings));
+    m_file.sync();
+}
+
+std::set<int> LineSettingsStore::numbersInUse(const QString& port) const
+{
+    std::set<int> numbers;
+    for (const QString& part : m_file.value(numbersSetting(port)).split(u' ', Qt::SkipEmptyParts)) {
+        bool isNumber = false;
+        const int number = part.toInt(&isNumber);
+        if (isNumber && number >= 0 && number <= 127) {
+            numbers.insert(number);
+        }
+    }
+    return numbers;
+}
+
+void LineSettingsStore::rememberNumbers(const QString& port, const std::set<int>& numbers)
+{
+    QStringList parts;
+    for (const int number : numbers) {
+        parts << QString::number(number);
+    }
+    m_file.set(numbersSetting(port), parts.join(u' '));
     m_file.sync();
 }
 

@@ -5,6 +5,7 @@
 #include "protocol/storage/setting.h"
 
 #include <optional>
+#include <set>
 
 namespace trex {
 
@@ -18,6 +19,9 @@ public:
     [[nodiscard]] std::optional<LineSettings> lastGood(const QString& port) const;
     /// After a controller answered: this port and these settings, written to the file at once.
     void remember(const QString& port, const LineSettings& settings);
+    /// The device numbers that the latest search of all of them found on this port.
+    [[nodiscard]] std::set<int> numbersInUse(const QString& port) const;
+    void rememberNumbers(const QString& port, const std::set<int>& numbers);
 
 private:
     SettingsFile& m_file;

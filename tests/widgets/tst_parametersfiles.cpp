@@ -156,14 +156,17 @@ void TestParametersFiles::fileOfAnotherController_isTold()
     auto other = presentConfiguration(bench.controller, bench.settings);
     other.signature = u"TReX1.2"_s;
     other.parameters[0x07] = 9;
+    other.parameters[0x13] = 10; // 10 × 2 × 150 mA there, 37.5 steps of 80 mA here
     const QString path = bench.folder.filePath(u"other.json"_s);
     QVERIFY(saveConfiguration(other, path).has_value());
     bench.dialogs.answerNext(path);
     bench.click(u"load"_s);
-    QVERIFY(bench.waitForMessage(u"The file is of a controller TReX1.2, this one is TReXJr1.2"_s));
+    QVERIFY(bench.waitForMessage(u"The file is of a TReX, the controller is a TReX Jr."_s));
+    QVERIFY(bench.waitForMessage(u"(raw 38), since the two models count currents"_s));
+    QCOMPARE(bench.editor(u"motor1-current-limit"_s)->raw(), 38);
     QVERIFY(bench.panel.findChild<QLabel*>(u"parameters.differences.remarks"_s)
                 ->text()
-                .contains(u"TReX1.2"_s));
+                .contains(u"(raw 38)"_s));
 }
 
 void TestParametersFiles::comparison_ofControllerFileAndDefaults()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storage/linesettingsstore.h"
 #include "tests/widgets/parametersbench.h"
 
 #include <QComboBox>
@@ -366,7 +367,7 @@ void TestParametersPanel::numberInUse_isToldBeforeWriting()
 {
     Bench bench;
     QVERIFY(bench.connectTo(u"sim:"_s));
-    bench.panel.setNumbersInUse({7, 9});
+    LineSettingsStore(bench.file).rememberNumbers(bench.controller.options().port, {7, 9});
     bench.editor(u"device-number"_s)->setRaw(9);
     QVERIFY(bench.pending().contains(u"has device number 9 already"_s));
     bench.editor(u"device-number"_s)->setRaw(10);

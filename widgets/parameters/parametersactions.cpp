@@ -3,8 +3,10 @@
 #include "protocol/codec/replies.h"
 #include "protocol/errortext.h"
 #include "protocol/session/controller.h"
+#include "protocol/storage/linesettingsstore.h"
 #include "widgets/common/eventlog.h"
 #include "widgets/common/theme.h"
+#include "widgets/common/uisettings.h"
 #include "widgets/parameters/configbackup.h"
 #include "widgets/parameters/parameterspanel.h"
 #include "widgets/parameters/parametertable.h"
@@ -86,9 +88,10 @@ void ParametersPanel::refresh()
 {
     keepDraft();
     const auto& controller = context().controller;
-    m_model.setAdvice(
-        adviceOn(presentConfiguration(controller, context().deviceSettings).parameters,
-                 m_model.wanted(), controller.options().line, controller.model(), m_numbersInUse));
+    m_model.setAdvice(adviceOn(
+        presentConfiguration(controller, context().deviceSettings).parameters, m_model.wanted(),
+        controller.options().line, controller.model(),
+        LineSettingsStore(context().settings.file()).numbersInUse(controller.options().port)));
     m_model.setControllerModel(controller.model());
     for (const auto& row : kParameters) {
         m_model.setPending(row.number, context().deviceSettings.isPending(row.number));
@@ -241,12 +244,6 @@ void ParametersPanel::revert()
     tell(EventLog::Information, {});
     m_model.revert();
     refresh(); // calibrations are no edits of the model
-}
-
-void ParametersPanel::setNumbersInUse(const std::set<int>& numbers)
-{
-    m_numbersInUse = numbers;
-    refresh();
 }
 
 } // namespace trex

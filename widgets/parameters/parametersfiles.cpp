@@ -3,6 +3,7 @@
 // takes its place.
 #include "protocol/errortext.h"
 #include "protocol/session/controller.h"
+#include "protocol/storage/configadapt.h"
 #include "widgets/common/eventlog.h"
 #include "widgets/common/filedialogs.h"
 #include "widgets/parameters/comparison.h"
@@ -65,36 +66,33 @@ void ParametersPanel::load()
 
 void ParametersPanel::loadFrom(const QString& path)
 {
-    const auto configuration = loadConfiguration(path);
-    if (!configuration) {
-        tell(EventLog::Failure, errorText(configuration.error()));
+    const auto loaded = loadConfiguration(path);
+    if (!loaded) {
+        tell(EventLog::Failure, errorText(loaded.error()));
         return;
     }
+    const auto& signature = context().controller.device().signature;
+    const auto [configuration, notes] =
+        signature ? adaptedTo(*signature, *loaded) : AdaptedConfiguration{*loaded, {}};
     closeDifferences();
     m_model.revert(); // from here on the edits are those of the file
     QStringList absent;
-    for (const auto& [number, raw] : configuration->parameters) {
+    for (const auto& [number, raw] : configuration.parameters) {
         if (!m_model.device(number)) {
             absent << QCoreApplication::translate("Parameters", findParameter(int{number})->title);
             continue;
         }
         static_cast<void>(m_model.edit(number, raw));
     }
-    takeCalibrations(configuration->calibrations);
+    takeCalibrations(configuration.calibrations);
     const QString name = QFileInfo(path).fileName();
     QStringList remarks;
     if (!absent.isEmpty()) {
         remarks << tr("Left out, since this controller does not have them: %1.")
                        .arg(absent.join(u", "_s));
     }
-    const auto& signature = context().controller.device().signature;
-    if (signature && !configuration->signature.isEmpty()
-        && configuration->signature != signature->text()) {
-        remarks << tr("The file is of a controller %1, this one is %2: amperes and frequencies "
-                      "may mean other things.")
-                       .arg(configuration->signature, signature->text());
-    }
-    if (const QString remark = remarkOn(*configuration); !remark.isEmpty()) {
+    remarks << notes;
+    if (const QString remark = remarkOn(configuration); !remark.isEmpty()) {
         remarks << remark;
     }
     const auto planned = plan();

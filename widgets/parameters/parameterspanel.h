@@ -33,9 +33,6 @@ public:
     explicit ParametersPanel(PanelContext& context, QWidget* parent = nullptr);
     ~ParametersPanel() override;
 
-    /// Device numbers that are known to answer on this line, for the advice on a new one.
-    void setNumbersInUse(const std::set<int>& numbers);
-
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -93,7 +90,6 @@ private:
     std::map<InputKind, std::map<int, Calibration>> m_calibrations; ///< from a file, to be written
     std::vector<SettingWrite> m_toPutBack; ///< written before a failure, and offered
     Configuration m_draft; ///< edits as last kept
-    std::set<int> m_numbersInUse;
     QLineEdit* m_search;
     QComboBox* m_filter;
     QLabel* m_noRows;
