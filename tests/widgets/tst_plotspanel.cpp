@@ -146,6 +146,11 @@ private slots:
         entry(*entry(*menu, u"Colour"_s)->menu(), u"Red"_s)->trigger();
         entry(*entry(*menu, u"Width"_s)->menu(), u"Thick"_s)->trigger();
         QCOMPARE(bench.pane(0).curves().front().width, 2.6);
+        QCOMPARE(bench.plot(0).frame().curves[0].scale.scale, 0.04);
+        entry(*entry(*menu, u"Unit"_s)->menu(), u"plain number"_s)->trigger();
+        QCOMPARE(bench.plot(0).frame().curves[0].scale.scale, 1.0);
+        QCOMPARE(bench.plot(0).frame().curves[0].unit, QString());
+        QCOMPARE(bench.panel->trigger().scale().scale, 1.0); // its level is in counts, too
         menu->close();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         menu = menuOf();
@@ -162,6 +167,7 @@ private slots:
         changed.colour = ColourRole::Fault;
         changed.width = 2.6;
         changed.isVisible = false;
+        changed.unit = u"raw"_s;
         bench.pane(0).changeCurve(changed);
         bench.panel->stack().movePlot(&bench.pane(3), -1);
         bench.panel->stack().removePlot(&bench.pane(1));

@@ -206,8 +206,7 @@ MeasurementView::MeasurementView(PlotTimeline& timeline, FrameTicker& ticker, co
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setFocusPolicy(Qt::TabFocus);
     m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    spreadColumns();
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     applyTheme();
@@ -225,6 +224,21 @@ void MeasurementView::setPlots(std::vector<const PlotView*> plots)
 {
     m_plots = std::move(plots);
     update();
+}
+
+void MeasurementView::spreadColumns()
+{
+    const int widest = m_table->fontMetrics().horizontalAdvance(u"000.000 mAh "_s);
+    const bool isWide = width() >= widest * MeasurementModel::Columns;
+    QHeaderView* header = m_table->horizontalHeader();
+    header->setSectionResizeMode(isWide ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(0, isWide ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
+}
+
+void MeasurementView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    spreadColumns();
 }
 
 void MeasurementView::applyTheme()

@@ -68,9 +68,13 @@ public:
     [[nodiscard]] const MeasurementModel& model() const { return *m_model; }
     void copy() const; ///< the table to the clipboard
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void update();
     void applyTheme();
+    void spreadColumns(); ///< evenly where there is room, else as narrow as they can be
 
     PlotTimeline& m_timeline;
     MeasurementModel* m_model;

@@ -46,6 +46,7 @@ public:
     void removeCurve(int curve);
     [[nodiscard]] int curveCount() const { return static_cast<int>(m_colours.size()); }
     void setCurveScale(int curve, double scale); ///< physical = (stored + offset) × scale
+    void setCurveUnit(int curve, const QString& unit, int decimals); ///< beside its values
     void setCurveVisible(int curve, bool visible);
     [[nodiscard]] bool isCurveVisible(int curve) const;
     void setCurveColour(int curve, ColourRole colour);
@@ -96,7 +97,6 @@ public:
     void setRubberBand(const QRectF& box);
     void refresh(); ///< draws what is new, if there is something and it can be seen
     void redraw(); ///< now, whether new or not
-
 signals:
     void pausedChanged(bool paused);
     void viewChanged(); ///< what is visible changed by the person's doing

@@ -70,6 +70,14 @@ void PlotView::setCurveScale(int curve, double scale)
     redraw();
 }
 
+void PlotView::setCurveUnit(int curve, const QString& unit, int decimals)
+{
+    PlotFrame::Curve& changed = m_frame->curves.at(static_cast<std::size_t>(curve));
+    changed.unit = unit;
+    changed.decimals = decimals;
+    redraw();
+}
+
 void PlotView::setCurveVisible(int curve, bool visible)
 {
     m_frame->curves.at(static_cast<std::size_t>(curve)).isVisible = visible;

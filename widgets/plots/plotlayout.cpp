@@ -79,6 +79,7 @@ CurveSpec curveFrom(const QJsonObject& object, const StreamRow& row)
     }
     curve.width = std::clamp(object[u"width"_s].toDouble(curve.width), kThinnest, kThickest);
     curve.isVisible = object[u"visible"_s].toBool(true);
+    curve.unit = object[u"unit"_s].toString();
     return curve;
 }
 
@@ -92,6 +93,32 @@ std::span<const CurveColourRow> curveColours()
 std::span<const CurveWidthRow> curveWidths()
 {
     return kWidths;
+}
+
+std::vector<CurveUnit> curveUnits(const StreamRow& row, double amperes)
+{
+    if (row.source == Source(PollId::Currents)) {
+        return {{"", unitOf(row), amperes, row.decimals}, {"raw", {}, 1.0, 0}};
+    }
+    std::vector<CurveUnit> units{{"", unitOf(row), row.scale, row.decimals}};
+    if (row.source == Source(PollId::RawChannels)) {
+        units.push_back({"ms", u"ms"_s, millisecondsFromRaw(1), 3});
+        units.push_back({"V", u"V"_s, voltsFromRaw(1), 2});
+    } else if (row.offset == -kFullSpeed) {
+        constexpr double kPercent = 100.0;
+        units.push_back({"percent", u"%"_s, kPercent / kFullSpeed, 0});
+    }
+    return units;
+}
+
+CurveUnit unitOf(const CurveSpec& curve, double amperes)
+{
+    const int index = streamIndex(curve.key.toStdString());
+    const auto units = curveUnits(streams()[static_cast<std::size_t>(index)], amperes);
+    const auto found = std::find_if(units.begin(), units.end(), [&curve](const CurveUnit& unit) {
+        return curve.unit == QLatin1StringView(unit.key);
+    });
+    return found == units.end() ? units.front() : *found;
 }
 
 QString keyOf(const StreamRow& row)
@@ -147,6 +174,9 @@ QByteArray toJson(const PlotLayout& layout)
                 if (each.role == curve.colour) {
                     object[u"colour"_s] = QLatin1StringView(each.key);
                 }
+            }
+            if (!curve.unit.isEmpty()) {
+                object[u"unit"_s] = curve.unit;
             }
             if (!curve.isVisible) {
                 object[u"visible"_s] = false;

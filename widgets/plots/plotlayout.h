@@ -18,6 +18,7 @@ struct CurveSpec {
     ColourRole colour = ColourRole::Motor1;
     double width = 1.6; ///< pixels
     bool isVisible = true;
+    QString unit{}; ///< a key of curveUnits(); "": the stream's own
     bool operator==(const CurveSpec&) const = default;
 };
 
@@ -41,6 +42,17 @@ struct CurveWidthRow {
     const char* title; ///< QT_TRANSLATE_NOOP("Plots", …)
 };
 [[nodiscard]] std::span<const CurveWidthRow> curveWidths();
+
+/// A unit that a stream's values can be shown in.
+struct CurveUnit {
+    const char* key; ///< in the stored layout, "" for the stream's own
+    QString text; ///< beside values, "" for plain numbers
+    double scale = 1.0; ///< of one stored step
+    int decimals = 0;
+};
+/// The units that make sense for a stream, its own first. `amperes`: a count of the currents.
+[[nodiscard]] std::vector<CurveUnit> curveUnits(const StreamRow& row, double amperes);
+[[nodiscard]] CurveUnit unitOf(const CurveSpec& curve, double amperes);
 
 [[nodiscard]] QString keyOf(const StreamRow& row);
 [[nodiscard]] QString titleOf(const StreamRow& row); ///< translated, as a list of curves says it

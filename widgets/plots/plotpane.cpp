@@ -20,7 +20,7 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr double kSmallestAmperes = 0.9; ///< the axis ends at 1 A when little is drawn
-constexpr double kSmallestPlain = 10.0;
+constexpr double kSmallestSteps = 10.0; ///< of the values, that an axis spans at least
 constexpr auto kFreshFor = std::chrono::seconds(2); ///< the slowest stream comes once a second
 
 const StreamRow& rowOf(const QString& key)
@@ -94,7 +94,7 @@ void PlotPane::addCurve(const CurveSpec& curve)
     m_plot->setCurveVisible(index, curve.isVisible);
     m_curves.push_back(curve);
     addChip(curve);
-    setAmperesPerCount(m_amperesPerCount);
+    applyUnit(index);
     refit();
     emit changed();
 }
@@ -147,6 +147,7 @@ void PlotPane::changeCurve(const CurveSpec& curve)
     m_plot->setCurveColour(index, curve.colour);
     m_plot->setCurveWidth(index, curve.width);
     m_plot->setCurveVisible(index, curve.isVisible);
+    applyUnit(index);
     m_chips.at(static_cast<std::size_t>(index))->setCurve(curve);
     refit();
     emit changed();
@@ -159,20 +160,22 @@ void PlotPane::refit()
     std::optional<QString> unit;
     bool isMixed = false;
     bool isFromZero = true;
+    double step = 1.0; // that the values come in
     for (const CurveSpec& curve : m_curves) {
-        const StreamRow& row = rowOf(curve.key);
         if (!curve.isVisible) {
             continue;
         }
-        isMixed |= unit && *unit != unitOf(row);
-        unit = unitOf(row);
-        isFromZero &= !row.unit.empty();
+        const CurveUnit own = unitOf(curve, m_amperesPerCount);
+        isMixed |= unit && *unit != own.text;
+        unit = own.text;
+        step = own.scale;
+        isFromZero &= !rowOf(curve.key).unit.empty();
     }
     const bool areCurrents = unit == u"A"_s && !isMixed;
     using Foot = ticks::AxisRange::Foot;
     m_plot->setUnit(isMixed ? QString() : unit.value_or(QString()));
     m_plot->setFoot(isFromZero ? Foot::Zero : Foot::Free,
-                    areCurrents ? kSmallestAmperes : kSmallestPlain);
+                    areCurrents ? kSmallestAmperes : kSmallestSteps * step);
     m_plot->setMessage(m_curves.empty()
                            ? tr("No curves. Drag one in here, or add one from the menu.")
                            : QString());
@@ -182,11 +185,16 @@ void PlotPane::refit()
 void PlotPane::setAmperesPerCount(double amperes)
 {
     m_amperesPerCount = amperes;
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        if (rowOf(m_curves[i].key).source == Source(PollId::Currents)) {
-            m_plot->setCurveScale(static_cast<int>(i), amperes);
-        }
+    for (int i = 0; i < static_cast<int>(m_curves.size()); ++i) {
+        applyUnit(i);
     }
+}
+
+void PlotPane::applyUnit(int index)
+{
+    const CurveUnit unit = unitOf(m_curves.at(static_cast<std::size_t>(index)), m_amperesPerCount);
+    m_plot->setCurveScale(index, unit.scale);
+    m_plot->setCurveUnit(index, unit.text, unit.decimals);
 }
 
 void PlotPane::setLimits(const std::vector<PlotView::Limit>& limits)
@@ -198,7 +206,7 @@ void PlotPane::setLimits(const std::vector<PlotView::Limit>& limits)
 void PlotPane::applyLimits()
 {
     const bool hasCurrents = std::any_of(m_curves.begin(), m_curves.end(), [](const auto& curve) {
-        return rowOf(curve.key).source == Source(PollId::Currents);
+        return rowOf(curve.key).source == Source(PollId::Currents) && curve.unit.isEmpty();
     });
     m_plot->setLimits(hasCurrents ? m_limits : std::vector<PlotView::Limit>());
 }

@@ -52,6 +52,7 @@ protected:
 private:
     [[nodiscard]] int indexOf(const QString& key) const;
     void addChip(const CurveSpec& curve);
+    void applyUnit(int index); ///< of a curve: its unit and the scale that goes with it
     void refit(); ///< unit and foot of the value axis, by what is drawn
     void applyLimits();
 

@@ -73,6 +73,21 @@ void PlotStack::showCurveMenu(PlotPane* pane, const QString& key, const QPoint& 
             pane->changeCurve(changed);
         });
     }
+    const StreamRow& row = streams()[static_cast<std::size_t>(streamIndex(key.toStdString()))];
+    const auto units = curveUnits(row, m_amperesPerCount);
+    QMenu* unitMenu = menu->addMenu(tr("Unit"));
+    unitMenu->setEnabled(units.size() > 1);
+    for (const CurveUnit& unit : units) {
+        QAction* entry = unitMenu->addAction(unit.text.isEmpty() ? tr("plain number") : unit.text);
+        entry->setCheckable(true);
+        entry->setChecked(curve.unit == QLatin1StringView(unit.key));
+        connect(entry, &QAction::triggered, pane,
+                [pane, curve, unitKey = QString::fromLatin1(unit.key)] {
+                    CurveSpec changed = curve;
+                    changed.unit = unitKey;
+                    pane->changeCurve(changed);
+                });
+    }
     QMenu* targets = menu->addMenu(tr("Move to"));
     for (PlotPane* target : m_panes) {
         if (target != pane) {

@@ -14,6 +14,8 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace trex {
 
 using namespace Qt::Literals::StringLiterals;
@@ -25,6 +27,8 @@ using Mode = TriggerSettings::Mode;
 
 constexpr int kUsualBefore = 25; ///< per cent
 constexpr double kHysteresisCounts = 1.5; ///< of the stream's own steps: its last digit's flicker
+
+constexpr double kLevelStep = 2.5; ///< counts that one click of the level's arrows is
 
 const StreamRow& rowOf(const QString& key)
 {
@@ -107,14 +111,16 @@ QString TriggerBar::source() const
     return m_source->currentData().toString();
 }
 
+CurveUnit TriggerBar::unit() const
+{
+    const auto found = std::find_if(m_curves.begin(), m_curves.end(),
+                                    [this](const auto& curve) { return curve.key == source(); });
+    return found == m_curves.end() ? CurveUnit{} : unitOf(*found, m_amperesPerCount);
+}
+
 ValueScale TriggerBar::scale() const
 {
-    if (source().isEmpty()) {
-        return {};
-    }
-    const StreamRow& row = rowOf(source());
-    const bool isCurrent = row.source == Source(PollId::Currents);
-    return {isCurrent ? m_amperesPerCount : row.scale, row.offset};
+    return source().isEmpty() ? ValueScale{} : ValueScale{unit().scale, rowOf(source()).offset};
 }
 
 std::optional<double> TriggerBar::level() const
@@ -130,6 +136,8 @@ std::optional<Instant> TriggerBar::crossing() const
 void TriggerBar::setSources(const std::vector<CurveSpec>& curves)
 {
     const QString before = source();
+    const double scaleBefore = scale().scale;
+    m_curves = curves;
     {
         const QSignalBlocker blocker(m_source);
         m_source->clear();
@@ -138,8 +146,8 @@ void TriggerBar::setSources(const std::vector<CurveSpec>& curves)
         }
         m_source->setCurrentIndex(std::max(m_source->findData(before), 0));
     }
-    if (source() != before) {
-        arm();
+    if (source() != before || scale().scale != scaleBefore) {
+        arm(); // another curve, or its level means something else now
     }
 }
 
@@ -164,10 +172,10 @@ void TriggerBar::apply()
     settings.before = shown * m_before->value() / kPercent;
     settings.after = shown - settings.before;
     if (!source().isEmpty()) {
-        const StreamRow& row = rowOf(source());
-        m_level->setSuffix(row.unit.empty() ? QString() : u' ' + unitOf(row));
-        m_level->setDecimals(row.decimals);
-        m_level->setSingleStep(scale().scale * (row.unit.empty() ? 1.0 : 2.5));
+        const CurveUnit own = unit();
+        m_level->setSuffix(own.text.isEmpty() ? QString() : u' ' + own.text);
+        m_level->setDecimals(own.decimals);
+        m_level->setSingleStep(own.scale * (own.text.isEmpty() ? 1.0 : kLevelStep));
     }
     m_trigger.setSettings(settings);
     for (QWidget* widget :

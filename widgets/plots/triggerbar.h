@@ -43,6 +43,7 @@ signals:
     void changed(); ///< settings, state or crossing
 
 private:
+    [[nodiscard]] CurveUnit unit() const; ///< of the source
     void build();
     void apply(); ///< the controls, into the engine
     void arm();
@@ -52,6 +53,7 @@ private:
     PlotTimeline& m_timeline;
     Trigger m_trigger;
     double m_amperesPerCount;
+    std::vector<CurveSpec> m_curves; ///< that can be chosen, with their units
     int m_clears = 0;
     QCheckBox* m_on;
     QComboBox* m_source;
