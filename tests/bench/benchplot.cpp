@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frame times of the live plot at any length, against QCustomPlot fed all points and against the
 // bare floor: image columns of the same pyramid in a widget that does nothing else.
+#ifdef TREX_HAS_QCUSTOMPLOT
+#undef QT_NO_FOREACH // its header uses it; before any header of Qt
+#endif
+
 #include "tests/bench/benchsamples.h"
 #include "tests/bench/benchsections.h"
 
