@@ -119,15 +119,19 @@ void WhyLine::listen()
 {
     const Controller& controller = m_context.controller;
     connect(m_remedy, &QPushButton::clicked, this, &WhyLine::onRemedy);
-    connect(&controller, &Controller::stateChanged, this, &WhyLine::refresh);
+    connect(&controller, &Controller::stateChanged, this, [this](LinkState state) {
+        // The first thing that a regained line hears is stop, and a closed one has none to doubt.
+        const bool isOver = state == LinkState::Connected || state == LinkState::Disconnected;
+        doubtStop(m_isStopDoubtful && !isOver);
+    });
     connect(&controller, &Controller::deviceChanged, this, &WhyLine::refresh);
     connect(&controller, &Controller::armedChanged, this, &WhyLine::refresh);
     connect(&controller, &Controller::ordersChanged, this, [this] {
         m_sinceOrder.start();
         refresh();
     });
-    connect(&controller, &Controller::stopped, this, &WhyLine::refresh);
-    connect(&controller, &Controller::stopFailed, this, &WhyLine::refresh);
+    connect(&controller, &Controller::stopped, this, [this] { doubtStop(false); });
+    connect(&controller, &Controller::stopFailed, this, [this] { doubtStop(true); });
     connect(&controller, &Controller::lockedOut, this, [this] {
         m_stoppedFor.start(kStoppedShown);
         m_lockout.start(Controller::kStopLockout);
@@ -137,6 +141,12 @@ void WhyLine::listen()
     m_look.setInterval(kLook);
     connect(&m_look, &QTimer::timeout, this, &WhyLine::refresh);
     m_look.start();
+}
+
+void WhyLine::doubtStop(bool doubtful)
+{
+    m_isStopDoubtful = doubtful;
+    refresh();
 }
 
 QString WhyLine::text() const
@@ -156,11 +166,12 @@ MotionFacts WhyLine::facts() const
     facts.disarming = controller.gate().lastDisarming();
     facts.isLockedOut = m_lockout.isActive();
     facts.isJustStopped = m_stoppedFor.isActive();
-    const StopProgress stop = controller.gate().stopProgress();
-    // A failure stays until the next stop or arming: it is not over by itself.
-    facts.stop = (stop == StopProgress::Failed && !facts.isArmed) || facts.isJustStopped
-        ? stop
-        : StopProgress::None;
+    // A failure is not over by itself; what is asked goes by its records.
+    if (m_isStopDoubtful) {
+        facts.stop = StopProgress::Failed;
+    } else if (facts.isJustStopped && controller.gate().stopProgress() != StopProgress::Failed) {
+        facts.stop = controller.gate().stopProgress();
+    }
     for (const auto motor : {MotorId::Motor1, MotorId::Motor2, MotorId::Aux}) {
         facts.orders.at(static_cast<std::size_t>(motor)) = controller.lastOrder(motor);
         facts.sent.at(static_cast<std::size_t>(motor)) = controller.sentOrder(motor);

@@ -38,6 +38,7 @@ private:
     void addDeviceFacts(MotionFacts& facts) const;
     void listen();
     void refresh();
+    void doubtStop(bool doubtful);
     void onRemedy();
 
     PanelContext& m_context;
@@ -49,6 +50,7 @@ private:
     QElapsedTimer m_sinceOrder;
     MotionReason m_reason;
     bool m_wasConnected = false; ///< on this line
+    bool m_isStopDoubtful = false; ///< a stop failed, and none has been sent since
 };
 
 } // namespace trex
