@@ -12,7 +12,7 @@
         <translation>Zugleich erforderlich und ignoriert: %1.</translation>
     </message>
     <message>
-        <source>Motor %1 gets %2 kHz; the TReX Jr's motor driver is rated for 10 kHz and may overheat.</source>
+        <source>Motor %1 gets %2 kHz; the TReX Jr&apos;s motor driver is rated for 10 kHz and may overheat.</source>
         <translation>Motor %1 erhält %2 kHz; der Motortreiber des TReX Jr ist für 10 kHz ausgelegt und kann überhitzen.</translation>
     </message>
     <message>
@@ -74,6 +74,1020 @@
     <message>
         <source>Stored is 0x%1, used is 0x%2: the top bit is always 1 and not stored. With CRC-7, connect with polynomial 0x%2 after the power cycle, or nothing answers.</source>
         <translation>Gespeichert ist 0x%1, verwendet wird 0x%2: Das oberste Bit ist immer 1 und wird nicht gespeichert. Bei CRC-7 nach dem Aus- und Einschalten mit Polynom 0x%2 verbinden, sonst antwortet nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>Bench</name>
+    <message>
+        <source>This test has no such result; its name may be mistyped.</source>
+        <translation>Diese Prüfung hat kein solches Ergebnis; vielleicht ist der Name vertippt.</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Leitung</translation>
+    </message>
+    <message>
+        <source>readings of the currents</source>
+        <translation>Messwerte der Ströme</translation>
+    </message>
+    <message>
+        <source>replies lost or damaged</source>
+        <translation>verlorene oder beschädigte Antworten</translation>
+    </message>
+    <message>
+        <source>Not passed: ended before its time (%1).</source>
+        <translation>Nicht bestanden: vorzeitig beendet (%1).</translation>
+    </message>
+    <message>
+        <source>Not passed: of the expectations, %1 of %2 are not met.</source>
+        <translation>Nicht bestanden: %1 von %2 Erwartungen sind nicht erfüllt.</translation>
+    </message>
+    <message>
+        <source>Done. The profile expects nothing of the results.</source>
+        <translation>Fertig. Das Profil erwartet nichts von den Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>Passed: every expectation is met (%1).</source>
+        <translation>Bestanden: alle Erwartungen sind erfüllt (%1).</translation>
+    </message>
+    <message>
+        <source>Proposals of the bench test &quot;%1&quot;. Look at each before it is written.</source>
+        <translation>Vorschläge der Prüfung „%1“. Sehen Sie jeden an, bevor er geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht bewertet</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>stopped on request</source>
+        <translation>auf Wunsch angehalten</translation>
+    </message>
+    <message>
+        <source>All resistance of the circuit: winding, brushes, wires, bridge.</source>
+        <translation>Der ganze Widerstand des Kreises: Wicklung, Bürsten, Leitungen, Brücke.</translation>
+    </message>
+    <message>
+        <source>Needs the supply voltage (supplyVolts in the profile).</source>
+        <translation>Braucht die Versorgungsspannung (supplyVolts im Profil).</translation>
+    </message>
+    <message>
+        <source>The current shows no decay after the start: too little inertia for readings every 12 ms, or the motor did not turn.</source>
+        <translation>Der Strom klingt nach dem Anlauf nicht ab: zu wenig Trägheit für Messwerte alle 12 ms, oder der Motor drehte sich nicht.</translation>
+    </message>
+    <message>
+        <source>running current</source>
+        <translation>Laufstrom</translation>
+    </message>
+    <message>
+        <source>Mean of the last two fifths of %1 runs at speed %2.</source>
+        <translation>Mittel der letzten zwei Fünftel von %1 Läufen mit Geschwindigkeit %2.</translation>
+    </message>
+    <message>
+        <source>largest reading</source>
+        <translation>größter Messwert</translation>
+    </message>
+    <message>
+        <source>A mean over one reading; the true peak is higher.</source>
+        <translation>Ein Mittel über einen Messwert; die wahre Spitze ist höher.</translation>
+    </message>
+    <message>
+        <source>starting current</source>
+        <translation>Anlaufstrom</translation>
+    </message>
+    <message>
+        <source>Extrapolated back to the moment of the step.</source>
+        <translation>Auf den Augenblick des Sprungs zurückgerechnet.</translation>
+    </message>
+    <message>
+        <source>mechanical time constant</source>
+        <translation>mechanische Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>Of the starting current&apos;s decay: inertia × resistance / (motor constant)². The three cannot be told apart without a speed sensor.</source>
+        <translation>Aus dem Abklingen des Anlaufstroms: Trägheit × Widerstand / (Motorkonstante)². Die drei lassen sich ohne Drehzahlgeber nicht trennen.</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>braking</source>
+        <translation>Bremsen</translation>
+    </message>
+    <message>
+        <source>coasting</source>
+        <translation>Auslaufen</translation>
+    </message>
+    <message>
+        <source>Speed left after a pause</source>
+        <translation>Restgeschwindigkeit nach einer Pause</translation>
+    </message>
+    <message>
+        <source>pause, ms</source>
+        <translation>Pause, ms</translation>
+    </message>
+    <message>
+        <source>speed left, %</source>
+        <translation>Restgeschwindigkeit, %</translation>
+    </message>
+    <message>
+        <source>after braking %1 ms</source>
+        <translation>nach %1 ms Bremsen</translation>
+    </message>
+    <message>
+        <source>after coasting %1 ms</source>
+        <translation>nach %1 ms Auslaufen</translation>
+    </message>
+    <message>
+        <source>speed left</source>
+        <translation>Restgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>From the current of the next start, against a start from rest.</source>
+        <translation>Aus dem Strom des nächsten Anlaufs, verglichen mit einem Anlauf aus dem Stand.</translation>
+    </message>
+    <message>
+        <source>braking to a tenth of the speed</source>
+        <translation>Bremsen auf ein Zehntel der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>coasting to a tenth of the speed</source>
+        <translation>Auslaufen auf ein Zehntel der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Interpolated between the pauses that were tried.</source>
+        <translation>Zwischen den erprobten Pausen interpoliert.</translation>
+    </message>
+    <message>
+        <source>Longer than the longest pause that was tried (%1 ms).</source>
+        <translation>Länger als die längste erprobte Pause (%1 ms).</translation>
+    </message>
+    <message>
+        <source>The current shows no decay after a start from rest, so that nothing tells how fast the motor still turns.</source>
+        <translation>Der Strom klingt nach einem Anlauf aus dem Stand nicht ab; nichts sagt also, wie schnell sich der Motor noch dreht.</translation>
+    </message>
+    <message>
+        <source>Of %1 starts from rest.</source>
+        <translation>Aus %1 Anläufen aus dem Stand.</translation>
+    </message>
+    <message>
+        <source>motor %1: current × time exceeded %2 A s</source>
+        <translation>Motor %1: Strom × Zeit hat %2 A s überschritten</translation>
+    </message>
+    <message>
+        <source>motor %1 drew %2 A, more than %3 A for %4 s</source>
+        <translation>Motor %1 zog %2 A, mehr als %3 A für %4 s</translation>
+    </message>
+    <message>
+        <source>it took longer than %1 s</source>
+        <translation>es dauerte länger als %1 s</translation>
+    </message>
+    <message>
+        <source>more than %1 replies were lost or damaged on the line</source>
+        <translation>mehr als %1 Antworten gingen auf der Leitung verloren oder kamen beschädigt an</translation>
+    </message>
+    <message>
+        <source>Speeds and currents over time</source>
+        <translation>Geschwindigkeiten und Ströme über der Zeit</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>A start at once draws about %1 A; with this acceleration (full speed in %2 s) about %3 A, for accelerate commands and the channels.</source>
+        <translation>Ein Anlauf auf einmal zieht etwa %1 A; mit dieser Beschleunigung (volle Geschwindigkeit in %2 s) etwa %3 A, bei Beschleunigungsbefehlen und über die Kanäle.</translation>
+    </message>
+    <message>
+        <source>The motor needs %1 A at full speed under the load of this test; half as much again is allowed. A heavier load needs a higher limit.</source>
+        <translation>Der Motor braucht bei voller Geschwindigkeit unter der Last dieser Prüfung %1 A; das Anderthalbfache ist zugelassen. Eine größere Last braucht eine höhere Grenze.</translation>
+    </message>
+    <message>
+        <source>coasting takes %1 ms</source>
+        <translation>Auslaufen dauert %1 ms</translation>
+    </message>
+    <message>
+        <source>coasting takes longer than was tried</source>
+        <translation>Auslaufen dauert länger, als erprobt wurde</translation>
+    </message>
+    <message>
+        <source>To a tenth of its speed within %1 ms: %2, full braking %3 ms.</source>
+        <translation>Auf ein Zehntel der Geschwindigkeit in %1 ms: %2, volles Bremsen %3 ms.</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>language of the report, as in HTML</comment>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>What such a test can know</source>
+        <translation>Was eine solche Prüfung wissen kann</translation>
+    </message>
+    <message>
+        <source>Written by %1 on %2, Qt %3.</source>
+        <translation>Geschrieben von %1 unter %2, Qt %3.</translation>
+    </message>
+    <message>
+        <source>Bench test: %1</source>
+        <translation>Prüfung: %1</translation>
+    </message>
+    <message>
+        <source>▲ Dry run on the simulated controller and its motors: a prediction. No real motor was moved or measured.</source>
+        <translation>▲ Probelauf mit dem simulierten Regler und seinen Motoren: eine Vorhersage. Kein wirklicher Motor wurde bewegt oder gemessen.</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Rests on</source>
+        <translation>Beruht auf</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Speeds as told: motor 1 solid, motor 2 dashed, the auxiliary motor dotted; braking is drawn as 0. Where readings are missing, the line is broken.</source>
+        <translation>Geschwindigkeiten wie befohlen: Motor 1 durchgezogen, Motor 2 gestrichelt, der Hilfsmotor gepunktet; Bremsen ist als 0 gezeichnet. Wo Messwerte fehlen, ist die Linie unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Proposed settings</source>
+        <translation>Vorgeschlagene Einstellungen</translation>
+    </message>
+    <message>
+        <source>What follows from the results. Nothing of it was written to the controller.</source>
+        <translation>Was aus den Ergebnissen folgt. Nichts davon wurde in den Regler geschrieben.</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Settings of the controller</source>
+        <translation>Einstellungen des Reglers</translation>
+    </message>
+    <message>
+        <source>They were not read.</source>
+        <translation>Sie wurden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Roh</translation>
+    </message>
+    <message>
+        <source>The test as it was run</source>
+        <translation>Die Prüfung, wie sie lief</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>%1 events are left out here</source>
+        <translation>%1 Ereignisse sind hier ausgelassen</translation>
+    </message>
+    <message>
+        <source>RC mode</source>
+        <translation>RC-Betrieb</translation>
+    </message>
+    <message>
+        <source>analog mode</source>
+        <translation>Analogbetrieb</translation>
+    </message>
+    <message>
+        <source>serial mode, RC inputs</source>
+        <translation>serieller Betrieb, RC-Eingänge</translation>
+    </message>
+    <message>
+        <source>serial mode, analog inputs</source>
+        <translation>serieller Betrieb, Analogeingänge</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Started</source>
+        <translation>Begonnen</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>all steps done</source>
+        <translation>alle Schritte ausgeführt</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Regler</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Betriebsart</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
+        <source>%1 (a simulated controller)</source>
+        <translation>%1 (ein simulierter Regler)</translation>
+    </message>
+    <message>
+        <source>Supply</source>
+        <translation>Versorgung</translation>
+    </message>
+    <message>
+        <source>%1 V, as stated</source>
+        <translation>%1 V, wie angegeben</translation>
+    </message>
+    <message>
+        <source>Current scale</source>
+        <translation>Stromskala</translation>
+    </message>
+    <message>
+        <source>40 mA a step (documented, without a tolerance)</source>
+        <translation>40 mA je Stufe (dokumentiert, ohne Toleranz)</translation>
+    </message>
+    <message>
+        <source>150 mA a step (inferred, about ±20 %)</source>
+        <translation>150 mA je Stufe (erschlossen, etwa ±20 %)</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>The controller measures only its motor currents, in steps, about 80 times a second, and no speed. Everything beyond currents is reasoned from them by the equations of a brushed motor with dry friction. Uncertainties are about two standard deviations; the tolerance of the current scale itself is not documented and not in them.</source>
+        <translation>Der Regler misst nur seine Motorströme, in Stufen, etwa 80-mal in der Sekunde, und keine Drehzahl. Alles über die Ströme hinaus ist aus ihnen mit den Gleichungen eines Bürstenmotors mit trockener Reibung erschlossen. Die Unsicherheiten sind etwa zwei Standardabweichungen; die Toleranz der Stromskala selbst ist nicht dokumentiert und nicht darin enthalten.</translation>
+    </message>
+    <message>
+        <source>All steps done.</source>
+        <translation>Alle Schritte ausgeführt.</translation>
+    </message>
+    <message>
+        <source>Ended: %1.</source>
+        <translation>Beendet: %1.</translation>
+    </message>
+    <message>
+        <source>limit of a step: %1</source>
+        <translation>Grenze eines Schrittes: %1</translation>
+    </message>
+    <message>
+        <source>limit: %1</source>
+        <translation>Grenze: %1</translation>
+    </message>
+    <message>
+        <source>serial does not control the motors (mode jumper, channel 5)</source>
+        <translation>die serielle Leitung steuert die Motoren nicht (Betriebsart-Jumper, Kanal 5)</translation>
+    </message>
+    <message>
+        <source>motor driver %1 reports a fault</source>
+        <translation>Motortreiber %1 meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>the controller reports motor %1 over its current limit</source>
+        <translation>der Regler meldet Motor %1 über seiner Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Motor %1 over the controller&apos;s current limit.</source>
+        <translation>Motor %1 über der Stromgrenze des Reglers.</translation>
+    </message>
+    <message>
+        <source>the computer was busy for %1 s</source>
+        <translation>der Rechner war %1 s lang beschäftigt</translation>
+    </message>
+    <message>
+        <source>no fresh readings came; no motor was moved</source>
+        <translation>es kamen keine frischen Messwerte; kein Motor wurde bewegt</translation>
+    </message>
+    <message>
+        <source>no fresh readings for %1 s</source>
+        <translation>keine frischen Messwerte seit %1 s</translation>
+    </message>
+    <message>
+        <source>Started.</source>
+        <translation>Begonnen.</translation>
+    </message>
+    <message>
+        <source>what step %1 waited for did not come in %2 s</source>
+        <translation>worauf Schritt %1 wartete, kam nicht in %2 s</translation>
+    </message>
+    <message>
+        <source>, round %1 of %2</source>
+        <translation>, Runde %1 von %2</translation>
+    </message>
+    <message>
+        <source>speed (of 127)</source>
+        <translation>Geschwindigkeit (von 127)</translation>
+    </message>
+    <message>
+        <source>current, A</source>
+        <translation>Strom, A</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>reverse</source>
+        <translation>rückwärts</translation>
+    </message>
+    <message>
+        <source>The current grows evenly to the end of the ramp: the shaft may not have started. Let the ramp go further.</source>
+        <translation>Der Strom wächst bis zum Ende der Rampe gleichmäßig: die Welle lief vielleicht nicht an. Lassen Sie die Rampe weiter gehen.</translation>
+    </message>
+    <message>
+        <source>dead zone, in speed steps of 127</source>
+        <translation>tote Zone, in Geschwindigkeitsstufen von 127</translation>
+    </message>
+    <message>
+        <source>Where the current stops growing with the speed; taken as the moment the shaft starts to turn, which no sensor shows.</source>
+        <translation>Wo der Strom nicht mehr mit der Geschwindigkeit wächst; gilt als Augenblick, in dem die Welle anläuft, den kein Geber zeigt.</translation>
+    </message>
+    <message>
+        <source>current at the start of motion</source>
+        <translation>Strom beim Beginn der Bewegung</translation>
+    </message>
+    <message>
+        <source>Proportional to the friction at rest.</source>
+        <translation>Proportional zur Haftreibung.</translation>
+    </message>
+    <message>
+        <source>Current over a slow ramp</source>
+        <translation>Strom über einer langsamen Rampe</translation>
+    </message>
+    <message>
+        <source>current held fast at full speed</source>
+        <translation>Strom bei voller Geschwindigkeit, festgehalten</translation>
+    </message>
+    <message>
+        <source>Extrapolated from the speeds at which the shaft stands; far beyond what was measured.</source>
+        <translation>Hochgerechnet aus den Geschwindigkeiten, bei denen die Welle steht; weit über das Gemessene hinaus.</translation>
+    </message>
+    <message>
+        <source>Current over speed</source>
+        <translation>Strom über der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Needs three speeds or more, of at least 16, in a direction.</source>
+        <translation>Braucht mindestens drei Geschwindigkeiten von 16 oder mehr in einer Richtung.</translation>
+    </message>
+    <message>
+        <source>current that friction takes</source>
+        <translation>Strom für die Reibung</translation>
+    </message>
+    <message>
+        <source>The straight line through the settled currents, at speed 0.</source>
+        <translation>Die Gerade durch die eingeschwungenen Ströme, bei Geschwindigkeit 0.</translation>
+    </message>
+    <message>
+        <source>current at full speed</source>
+        <translation>Strom bei voller Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The same line, at speed 127.</source>
+        <translation>Dieselbe Gerade, bei Geschwindigkeit 127.</translation>
+    </message>
+    <message>
+        <source>forward less reverse</source>
+        <translation>vorwärts weniger rückwärts</translation>
+    </message>
+    <message>
+        <source>Mean over all speeds.</source>
+        <translation>Mittel über alle Geschwindigkeiten.</translation>
+    </message>
+    <message>
+        <source>Needs both directions.</source>
+        <translation>Braucht beide Richtungen.</translation>
+    </message>
+    <message>
+        <source>Left against right</source>
+        <translation>Links gegen rechts</translation>
+    </message>
+    <message>
+        <source>Needs both motors at the same speeds at the same time.</source>
+        <translation>Braucht beide Motoren zur selben Zeit mit denselben Geschwindigkeiten.</translation>
+    </message>
+    <message>
+        <source>Motor 1 less motor 2, mean of %1 speeds.</source>
+        <translation>Motor 1 weniger Motor 2, Mittel von %1 Geschwindigkeiten.</translation>
+    </message>
+    <message>
+        <source>difference of the currents</source>
+        <translation>Unterschied der Ströme</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>größter Unterschied</translation>
+    </message>
+    <message>
+        <source>At the speed where they differ most.</source>
+        <translation>Bei der Geschwindigkeit mit dem größten Unterschied.</translation>
+    </message>
+    <message>
+        <source>motor 1 in parts of motor 2</source>
+        <translation>Motor 1 in Teilen von Motor 2</translation>
+    </message>
+    <message>
+        <source>More current at the same speed: more friction or load.</source>
+        <translation>Mehr Strom bei gleicher Geschwindigkeit: mehr Reibung oder Last.</translation>
+    </message>
+    <message>
+        <source>mean current while driven</source>
+        <translation>mittlerer Strom im Betrieb</translation>
+    </message>
+    <message>
+        <source>Mean of the means at each speed.</source>
+        <translation>Mittel der Mittel bei jeder Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>charge</source>
+        <translation>Ladung</translation>
+    </message>
+    <message>
+        <source>drift of the running current</source>
+        <translation>Drift des Laufstroms</translation>
+    </message>
+    <message>
+        <source>Last quarter of the test less the first; warming, running in and wear all show here.</source>
+        <translation>Letztes Viertel der Prüfung weniger das erste; Erwärmung, Einlaufen und Verschleiß zeigen sich hier.</translation>
+    </message>
+    <message>
+        <source>Needs runs in the first and in the last quarter of the test.</source>
+        <translation>Braucht Läufe im ersten und im letzten Viertel der Prüfung.</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>the motion limits (highest speed, soft start, soft stop) would change the orders of this test; choose a slower test or lift them</source>
+        <translation>die Bewegungsgrenzen (höchste Geschwindigkeit, sanfter Anlauf, sanfter Auslauf) würden die Befehle dieser Prüfung ändern; wählen Sie eine langsamere Prüfung oder heben Sie die Grenzen auf</translation>
+    </message>
+    <message>
+        <source>the connection was lost</source>
+        <translation>die Verbindung ging verloren</translation>
+    </message>
+    <message>
+        <source>step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>the auxiliary motor cannot brake</source>
+        <translation>der Hilfsmotor kann nicht bremsen</translation>
+    </message>
+    <message>
+        <source>the auxiliary motor has no reverse</source>
+        <translation>der Hilfsmotor hat keinen Rückwärtsgang</translation>
+    </message>
+    <message>
+        <source>it asks for more than full speed (127)</source>
+        <translation>er verlangt mehr als volle Geschwindigkeit (127)</translation>
+    </message>
+    <message>
+        <source>there is nothing to repeat</source>
+        <translation>es gibt nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>repetitions stand in each other at most three deep</source>
+        <translation>Wiederholungen stehen höchstens dreifach ineinander</translation>
+    </message>
+    <message>
+        <source>what is repeated takes no time; add a hold</source>
+        <translation>was wiederholt wird, dauert nicht; fügen Sie ein Halten ein</translation>
+    </message>
+    <message>
+        <source>the profile has no steps</source>
+        <translation>das Profil hat keine Schritte</translation>
+    </message>
+    <message>
+        <source>the profile takes longer than a day, which is the most</source>
+        <translation>das Profil dauert länger als einen Tag, das ist das Höchste</translation>
+    </message>
+    <message>
+        <source>it is no ordinary file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>is longer than 4000 characters</source>
+        <translation>ist länger als 4000 Zeichen</translation>
+    </message>
+    <message>
+        <source>is missing; give %1</source>
+        <translation>fehlt; geben Sie %1 an</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>%1 is not known; give %2</source>
+        <translation>%1 ist nicht bekannt; geben Sie %2 an</translation>
+    </message>
+    <message>
+        <source>is not known; is %1 meant?</source>
+        <translation>ist nicht bekannt; ist %1 gemeint?</translation>
+    </message>
+    <message>
+        <source>is not known here, and no comment, which would be a text</source>
+        <translation>ist hier nicht bekannt, und kein Kommentar, der ein Text wäre</translation>
+    </message>
+    <message>
+        <source>line %1, %2: stands twice</source>
+        <translation>Zeile %1, %2: steht zweimal da</translation>
+    </message>
+    <message>
+        <source>must be &quot;trexpanel-bench-profile&quot;: this is no bench test</source>
+        <translation>muss „trexpanel-bench-profile“ sein: dies ist keine Prüfung</translation>
+    </message>
+    <message>
+        <source>%1 is newer than this program</source>
+        <translation>%1 ist neuer als dieses Programm</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>says how long, but amperes is missing</source>
+        <translation>sagt, wie lange, aber amperes fehlt</translation>
+    </message>
+    <message>
+        <source>needs minimum, maximum or both</source>
+        <translation>braucht minimum, maximum oder beide</translation>
+    </message>
+    <message>
+        <source>is above maximum</source>
+        <translation>liegt über maximum</translation>
+    </message>
+    <message>
+        <source>larger than 256 KiB, which no bench test is</source>
+        <translation>größer als 256 KiB, das ist keine Prüfung</translation>
+    </message>
+    <message>
+        <source>a list of steps</source>
+        <translation>eine Liste von Schritten</translation>
+    </message>
+    <message>
+        <source>has more than 2000 steps; use repeat</source>
+        <translation>hat mehr als 2000 Schritte; verwenden Sie repeat</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>the current of the auxiliary motor is not measured</source>
+        <translation>der Strom des Hilfsmotors wird nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Sprungantwort</translation>
+    </message>
+    <message>
+        <source>Eight starts at once to speed 80, half of them in reverse. The decay of the starting current gives the mechanical time constant. Let the shafts turn freely.</source>
+        <translation>Acht Anläufe auf einmal bis Geschwindigkeit 80, die Hälfte rückwärts. Das Abklingen des Anlaufstroms gibt die mechanische Zeitkonstante. Lassen Sie die Wellen frei drehen.</translation>
+    </message>
+    <message>
+        <source>Slow ramp</source>
+        <translation>Langsame Rampe</translation>
+    </message>
+    <message>
+        <source>One speed step a second up to 40, forward and then in reverse. The knee of the current shows where the shaft starts to turn: the dead zone and the friction at rest.</source>
+        <translation>Jede Sekunde eine Geschwindigkeitsstufe bis 40, vorwärts und dann rückwärts. Der Knick des Stroms zeigt, wo die Welle anläuft: die tote Zone und die Haftreibung.</translation>
+    </message>
+    <message>
+        <source>Current against speed</source>
+        <translation>Strom gegen Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Five speeds up to full speed, two seconds each, forward and in reverse. Shows what friction takes and what the motor draws at full speed under the load that it has now.</source>
+        <translation>Fünf Geschwindigkeiten bis zur vollen, je zwei Sekunden, vorwärts und rückwärts. Zeigt, was die Reibung nimmt und was der Motor bei voller Geschwindigkeit unter seiner jetzigen Last zieht.</translation>
+    </message>
+    <message>
+        <source>Both motors at the same three speeds at the same time, forward and in reverse. Different currents mean different friction or load on the two sides.</source>
+        <translation>Beide Motoren zur selben Zeit mit denselben drei Geschwindigkeiten, vorwärts und rückwärts. Verschiedene Ströme bedeuten verschiedene Reibung oder Last auf den zwei Seiten.</translation>
+    </message>
+    <message>
+        <source>Braking</source>
+        <translation>Bremsen</translation>
+    </message>
+    <message>
+        <source>Runs at speed 100, pauses of several lengths with the brake and without, and starts again. The current of each new start tells how much of the speed was left.</source>
+        <translation>Läufe mit Geschwindigkeit 100, verschieden lange Pausen mit und ohne Bremse, und neue Anläufe. Der Strom jedes neuen Anlaufs sagt, wie viel Geschwindigkeit noch übrig war.</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Dauerlauf</translation>
+    </message>
+    <message>
+        <source>A quarter of an hour to and fro at speed 70. The drift of the running current shows warming, running in and wear; raise the number of rounds for a longer test.</source>
+        <translation>Eine Viertelstunde hin und her mit Geschwindigkeit 70. Die Drift des Laufstroms zeigt Erwärmung, Einlaufen und Verschleiß; erhöhen Sie die Zahl der Runden für eine längere Prüfung.</translation>
+    </message>
+</context>
+<context>
+    <name>BenchPdf</name>
+    <message>
+        <source>▲ Dry run on the simulated controller and its motors: a prediction. No real motor was moved or measured.</source>
+        <translation>▲ Probelauf mit dem simulierten Regler und seinen Motoren: eine Vorhersage. Kein wirklicher Motor wurde bewegt oder gemessen.</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>The test as it was run</source>
+        <translation>Die Prüfung, wie sie lief</translation>
+    </message>
+    <message>
+        <source>What such a test can know</source>
+        <translation>Was eine solche Prüfung wissen kann</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Rests on</source>
+        <translation>Beruht auf</translation>
+    </message>
+    <message>
+        <source>Proposed settings</source>
+        <translation>Vorgeschlagene Einstellungen</translation>
+    </message>
+    <message>
+        <source>What follows from the results. Nothing of it was written to the controller.</source>
+        <translation>Was aus den Ergebnissen folgt. Nichts davon wurde in den Regler geschrieben.</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Settings of the controller</source>
+        <translation>Einstellungen des Reglers</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Roh</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Bench test: %1</source>
+        <translation>Prüfung: %1</translation>
+    </message>
+</context>
+<context>
+    <name>BenchSteps</name>
+    <message>
+        <source>until the current is above %1 A</source>
+        <translation>bis der Strom über %1 A liegt</translation>
+    </message>
+    <message>
+        <source>until the current is below %1 A</source>
+        <translation>bis der Strom unter %1 A liegt</translation>
+    </message>
+    <message>
+        <source>until the status shows %1</source>
+        <translation>bis der Status %1 zeigt</translation>
+    </message>
+    <message>
+        <source>until channel %1 is above %2</source>
+        <translation>bis Kanal %1 über %2 liegt</translation>
+    </message>
+    <message>
+        <source>until channel %1 is below %2</source>
+        <translation>bis Kanal %1 unter %2 liegt</translation>
+    </message>
+    <message>
+        <source>until %1 s since the start</source>
+        <translation>bis %1 s seit dem Beginn</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Setzen</translation>
+    </message>
+    <message>
+        <source>Accelerate</source>
+        <translation>Beschleunigen</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>Step and back</source>
+        <translation>Sprung und zurück</translation>
+    </message>
+    <message>
+        <source>Sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Brake</source>
+        <translation>Bremsen</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>Aux</source>
+        <translation>Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>Current above</source>
+        <translation>Strom über</translation>
+    </message>
+    <message>
+        <source>Current below</source>
+        <translation>Strom unter</translation>
+    </message>
+    <message>
+        <source>Status bit</source>
+        <translation>Statusbit</translation>
+    </message>
+    <message>
+        <source>Channel above</source>
+        <translation>Kanal über</translation>
+    </message>
+    <message>
+        <source>Channel below</source>
+        <translation>Kanal unter</translation>
+    </message>
+    <message>
+        <source>Time since start</source>
+        <translation>Zeit seit Beginn</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 auf %2</translation>
+    </message>
+    <message>
+        <source>%1 ± %2, every %3 s</source>
+        <translation>%1 ± %2, alle %3 s</translation>
+    </message>
+    <message>
+        <source>duty %1</source>
+        <translation>Tastgrad %1</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
     </message>
 </context>
 <context>
@@ -331,10 +1345,6 @@
         <translation>%6 % der Messwerte springen weit über das Rauschen hinaus, wie bei einem defekten Potentiometer oder losen Kabel. Dies zuerst beheben.</translation>
     </message>
     <message>
-        <source>It was moved too fast to tell its ends. Hold it at each end for half a second.</source>
-        <translation>Zu schnell bewegt, um die Endlagen zu erkennen. In jeder Endlage eine halbe Sekunde halten.</translation>
-    </message>
-    <message>
         <source>It comes to rest up to %7 away from its neutral, too far for a deadband to cover. Look at its spring and its mechanics.</source>
         <translation>Kommt bis zu %7 neben Neutral zur Ruhe, zu weit, um vom Totband abgedeckt zu werden. Feder und Mechanik prüfen.</translation>
     </message>
@@ -571,10 +1581,6 @@
         <translation>%1 → %2 neu</translation>
     </message>
     <message>
-        <source>, %1 before</source>
-        <translation>, %1 zuvor</translation>
-    </message>
-    <message>
         <source>confirmed</source>
         <translation>bestätigt</translation>
     </message>
@@ -644,6 +1650,30 @@ oben %2</translation>
         <source>, before %1 / %2</source>
         <translation>, vorher %1 / %2</translation>
     </message>
+    <message>
+        <source>It was not held at its ends for long enough to know them. Hold it at each end for a second.</source>
+        <translation>Er wurde an seinen Enden nicht lange genug gehalten, um sie zu kennen. Halten Sie ihn an jedem Ende eine Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>nicht erreicht</translation>
+    </message>
+    <message>
+        <source>±%1 (%2 samples)</source>
+        <translation>±%1 (%2 Messwerte)</translation>
+    </message>
+    <message>
+        <source>Ends known within: low %1, high %2</source>
+        <translation>Enden bekannt auf: unten %1, oben %2</translation>
+    </message>
+    <message>
+        <source>hold longer</source>
+        <translation>länger halten</translation>
+    </message>
+    <message>
+        <source>, was %1</source>
+        <translation>, vorher %1</translation>
+    </message>
 </context>
 <context>
     <name>Cli</name>
@@ -706,8 +1736,8 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Befehle</translation>
     </message>
     <message>
-        <source>There is no command '%1'</source>
-        <translation>Es gibt keinen Befehl '%1'</translation>
+        <source>There is no command &apos;%1&apos;</source>
+        <translation>Es gibt keinen Befehl &apos;%1&apos;</translation>
     </message>
     <message>
         <source>No command given</source>
@@ -750,12 +1780,12 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>etwa %1 A</translation>
     </message>
     <message>
-        <source>'%1' is no value for %2 (%3). Nothing was sent; see: trexctl param list</source>
-        <translation>'%1' ist kein Wert für %2 (%3). Nichts wurde gesendet; siehe: trexctl param list</translation>
+        <source>&apos;%1&apos; is no value for %2 (%3). Nothing was sent; see: trexctl param list</source>
+        <translation>&apos;%1&apos; ist kein Wert für %2 (%3). Nichts wurde gesendet; siehe: trexctl param list</translation>
     </message>
     <message>
-        <source>There is no parameter '%1'. Nothing was sent; trexctl param list shows all.</source>
-        <translation>Es gibt keinen Parameter '%1'. Nichts wurde gesendet; trexctl param list zeigt alle.</translation>
+        <source>There is no parameter &apos;%1&apos;. Nothing was sent; trexctl param list shows all.</source>
+        <translation>Es gibt keinen Parameter &apos;%1&apos;. Nichts wurde gesendet; trexctl param list zeigt alle.</translation>
     </message>
     <message>
         <source>%1 is no value to read or write. Nothing was sent; its command is: trexctl param reset --yes</source>
@@ -842,7 +1872,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>nichts schreiben; die Änderungen und ihre Pakete zeigen</translation>
     </message>
     <message>
-        <source>Some of it acts after the controller's power is switched off and on.</source>
+        <source>Some of it acts after the controller&apos;s power is switched off and on.</source>
         <translation>Ein Teil davon wirkt erst nach Aus- und Einschalten des Controllers.</translation>
     </message>
     <message>
@@ -1006,10 +2036,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Neutral: alle Knüppel und Schalter in Ruhestellung lassen und loslassen.</translation>
     </message>
     <message>
-        <source>Extremes: move every stick and switch to all its ends, a few times.</source>
-        <translation>Endlagen: jeden Knüppel und Schalter einige Male in alle Endlagen bewegen.</translation>
-    </message>
-    <message>
         <source>Not confirmed. Nothing was written.</source>
         <translation>Nicht bestätigt. Es wurde nichts geschrieben.</translation>
     </message>
@@ -1050,20 +2076,20 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Die Motoren werden jetzt nicht seriell gesteuert: der Befehl wartet im Controller und wirkt, sobald die serielle Übernahme beginnt.</translation>
     </message>
     <message>
-        <source>There is no motor '%1': give 1, 2, both or aux. Nothing was sent.</source>
-        <translation>Es gibt keinen Motor '%1': 1, 2, both oder aux angeben. Nichts wurde gesendet.</translation>
+        <source>There is no motor &apos;%1&apos;: give 1, 2, both or aux. Nothing was sent.</source>
+        <translation>Es gibt keinen Motor &apos;%1&apos;: 1, 2, both oder aux angeben. Nichts wurde gesendet.</translation>
     </message>
     <message>
         <source>The auxiliary motor cannot brake: set it to 0 instead. Nothing was sent.</source>
         <translation>Der Hilfsmotor kann nicht bremsen: stattdessen auf 0 setzen. Nichts wurde gesendet.</translation>
     </message>
     <message>
-        <source>A motor cannot '%1': give set, accelerate or brake. Nothing was sent.</source>
-        <translation>Ein Motor kann nicht '%1': set, accelerate oder brake angeben. Nichts wurde gesendet.</translation>
+        <source>A motor cannot &apos;%1&apos;: give set, accelerate or brake. Nothing was sent.</source>
+        <translation>Ein Motor kann nicht &apos;%1&apos;: set, accelerate oder brake angeben. Nichts wurde gesendet.</translation>
     </message>
     <message>
-        <source>Two numbers are for 'motor both' only. Nothing was sent.</source>
-        <translation>Zwei Zahlen gelten nur für 'motor both'. Nichts wurde gesendet.</translation>
+        <source>Two numbers are for &apos;motor both&apos; only. Nothing was sent.</source>
+        <translation>Zwei Zahlen gelten nur für &apos;motor both&apos;. Nichts wurde gesendet.</translation>
     </message>
     <message>
         <source>motors 1 and 2 at full brake duty instead of coasting</source>
@@ -1122,7 +2148,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>nach Aus- und Einschalten</translation>
     </message>
     <message>
-        <source>It acts after the controller's power is switched off and on.</source>
+        <source>It acts after the controller&apos;s power is switched off and on.</source>
         <translation>Wirkt erst nach Aus- und Einschalten des Controllers.</translation>
     </message>
     <message>
@@ -1222,8 +2248,8 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>als Paket der gewählten Form mit CRC: Befehlsbyte, Daten</translation>
     </message>
     <message>
-        <source>'%1' is not bytes in hex, such as 861F. Nothing was sent.</source>
-        <translation>'%1' sind keine Bytes in Hex, wie etwa 861F. Nichts wurde gesendet.</translation>
+        <source>&apos;%1&apos; is not bytes in hex, such as 861F. Nothing was sent.</source>
+        <translation>&apos;%1&apos; sind keine Bytes in Hex, wie etwa 861F. Nichts wurde gesendet.</translation>
     </message>
     <message>
         <source>Sent</source>
@@ -1370,7 +2396,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Kalibrierungen der geltenden Eingänge</translation>
     </message>
     <message>
-        <source>write one channel's calibration and read it back</source>
+        <source>write one channel&apos;s calibration and read it back</source>
         <translation>Kalibrierung eines Kanals schreiben und zurücklesen</translation>
     </message>
     <message>
@@ -1562,7 +2588,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Journaleintrag %1 dieses Controllers</translation>
     </message>
     <message>
-        <source>In this mode the sticks also move the motors: keep the motors' power off.</source>
+        <source>In this mode the sticks also move the motors: keep the motors&apos; power off.</source>
         <translation>In diesem Modus bewegen auch die Knüppel die Motoren: Versorgung der Motoren ausgeschaltet lassen.</translation>
     </message>
     <message>
@@ -1582,8 +2608,8 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>eine vorhandene Datei ersetzen</translation>
     </message>
     <message>
-        <source>--streams: '%1' is none of currents, channels, status; nothing was sent.</source>
-        <translation>--streams: '%1' ist keines von currents, channels, status; nichts wurde gesendet.</translation>
+        <source>--streams: &apos;%1&apos; is none of currents, channels, status; nothing was sent.</source>
+        <translation>--streams: &apos;%1&apos; ist keines von currents, channels, status; nichts wurde gesendet.</translation>
     </message>
     <message>
         <source>There is already a file %1; give another name, or --force to replace it. Nothing was sent.</source>
@@ -1600,10 +2626,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>%1 samples, %2 s, %3 lost</source>
         <translation>%1 Messwerte, %2 s, %3 verloren</translation>
-    </message>
-    <message>
-        <source>a recording's channels and currents, from its beginning</source>
-        <translation>Kanäle und Ströme einer Aufzeichnung, von deren Anfang an</translation>
     </message>
     <message>
         <source>a crash-safe recording of currents, channels, status, settings</source>
@@ -1640,6 +2662,66 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>whole configurations by name: save, list, restore, delete</source>
         <translation>ganze Konfigurationen unter Namen: save, list, restore, delete</translation>
+    </message>
+    <message>
+        <source>Extremes: move every stick and switch to all its ends, and hold it at each for a second.</source>
+        <translation>Enden: Bewegen Sie jeden Knüppel und Schalter an alle seine Enden, und halten Sie ihn dort je eine Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>Channel %1: %2. %3</source>
+        <translation>Kanal %1: %2. %3</translation>
+    </message>
+    <message>
+        <source>This controller joins calibration bytes as low + 256 × high: channels %1 hold the nearest values that can be sent that way, read back.</source>
+        <translation>Dieser Regler setzt die Bytes einer Kalibrierung als niedrig + 256 × hoch zusammen: Die Kanäle %1 enthalten die nächstliegenden Werte, die so gesendet werden können; zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>a bench test: a JSON file, or a ready one: %1</source>
+        <translation>eine Prüfung: eine JSON-Datei oder eine fertige: %1</translation>
+    </message>
+    <message>
+        <source>everything into a recording; a new file</source>
+        <translation>alles in eine Aufzeichnung; eine neue Datei</translation>
+    </message>
+    <message>
+        <source>a report with plots; a new file</source>
+        <translation>ein Bericht mit Diagrammen; eine neue Datei</translation>
+    </message>
+    <message>
+        <source>replace files that are there</source>
+        <translation>vorhandene Dateien ersetzen</translation>
+    </message>
+    <message>
+        <source>Bench test: %1</source>
+        <translation>Prüfung: %1</translation>
+    </message>
+    <message>
+        <source>Interrupted; the motors were told to stop.</source>
+        <translation>Unterbrochen; den Motoren wurde Halt befohlen.</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Proposed: %1 %2 (%3)</source>
+        <translation>Vorschlag: %1 %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s, step %3</source>
+        <translation>%1 von %2 s, Schritt %3</translation>
+    </message>
+    <message>
+        <source>a recording&apos;s channels, currents and parameters, from its beginning</source>
+        <translation>Kanäle, Ströme und Parameter einer Aufzeichnung, von ihrem Anfang an</translation>
+    </message>
+    <message>
+        <source>a bench test: steps, ramps, sines on the motors, with limits that stop it</source>
+        <translation>eine Prüfung: Sprünge, Rampen, Sinus auf den Motoren, mit Grenzen, die sie anhalten</translation>
     </message>
 </context>
 <context>
@@ -1757,7 +2839,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Kanalkalibrierung setzen</translation>
     </message>
     <message>
-        <source>Stores one channel's calibration (serial mode only). Answers when stored, after about 32 ms.</source>
+        <source>Stores one channel&apos;s calibration (serial mode only). Answers when stored, after about 32 ms.</source>
         <translation>Speichert die Kalibrierung eines Kanals (nur im seriellen Modus). Antwortet nach dem Speichern, nach etwa 32 ms.</translation>
     </message>
     <message>
@@ -1855,8 +2937,8 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Zeile %1, %2: steht doppelt</translation>
     </message>
     <message>
-        <source>must be "trexpanel-configuration": this is no configuration file</source>
-        <translation>muss "trexpanel-configuration" sein: dies ist keine Konfigurationsdatei</translation>
+        <source>must be &quot;trexpanel-configuration&quot;: this is no configuration file</source>
+        <translation>muss &quot;trexpanel-configuration&quot; sein: dies ist keine Konfigurationsdatei</translation>
     </message>
     <message>
         <source>is missing, and so is calibration</source>
@@ -1887,8 +2969,8 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>%1 ist kein Wert dieses Parameters</translation>
     </message>
     <message>
-        <source>is "%1", but this parameter's unit is "%2"</source>
-        <translation>ist "%1", aber die Einheit dieses Parameters ist "%2"</translation>
+        <source>is &quot;%1&quot;, but this parameter&apos;s unit is &quot;%2&quot;</source>
+        <translation>ist &quot;%1&quot;, aber die Einheit dieses Parameters ist &quot;%2&quot;</translation>
     </message>
     <message>
         <source>a number</source>
@@ -1987,7 +3069,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Die Datei stammt von einem %1, der Controller ist ein %2.</translation>
     </message>
     <message>
-        <source>%1: taken as it is, though it acts on current in the other model's steps; try it with care.</source>
+        <source>%1: taken as it is, though it acts on current in the other model&apos;s steps; try it with care.</source>
         <translation>%1: unverändert genommen, obwohl es auf den Strom in den Stufen des anderen Modells wirkt; mit Vorsicht erproben.</translation>
     </message>
     <message>
@@ -2015,8 +3097,8 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>enthält ein NUL-Byte, das in keinem Text vorkommt</translation>
     </message>
     <message>
-        <source>JSON has no comments; write a text under a key of its own, such as "comment"</source>
-        <translation>JSON kennt keine Kommentare; einen Text unter einem eigenen Schlüssel schreiben, etwa "comment"</translation>
+        <source>JSON has no comments; write a text under a key of its own, such as &quot;comment&quot;</source>
+        <translation>JSON kennt keine Kommentare; einen Text unter einem eigenen Schlüssel schreiben, etwa &quot;comment&quot;</translation>
     </message>
 </context>
 <context>
@@ -2024,6 +3106,89 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>not a plain file</source>
         <translation>keine gewöhnliche Datei</translation>
+    </message>
+</context>
+<context>
+    <name>Disarm</name>
+    <message>
+        <source>not armed yet</source>
+        <translation>noch nicht scharf geschaltet</translation>
+    </message>
+    <message>
+        <source>on request</source>
+        <translation>auf Wunsch</translation>
+    </message>
+    <message>
+        <source>stopped on request</source>
+        <translation>auf Wunsch angehalten</translation>
+    </message>
+    <message>
+        <source>the link was lost</source>
+        <translation>die Verbindung ging verloren</translation>
+    </message>
+    <message>
+        <source>disconnected</source>
+        <translation>getrennt</translation>
+    </message>
+    <message>
+        <source>the controller was restarted</source>
+        <translation>die Steuerung wurde neu gestartet</translation>
+    </message>
+    <message>
+        <source>the screen was locked</source>
+        <translation>der Bildschirm wurde gesperrt</translation>
+    </message>
+    <message>
+        <source>the computer was going to sleep</source>
+        <translation>der Rechner ging in den Ruhezustand</translation>
+    </message>
+    <message>
+        <source>no window of the program was to be seen any more</source>
+        <translation>kein Fenster des Programms war mehr zu sehen</translation>
+    </message>
+    <message>
+        <source>no order was given for the idle time</source>
+        <translation>während der Leerlaufzeit kam kein Befehl</translation>
+    </message>
+    <message>
+        <source>the controller reports a motor fault</source>
+        <translation>die Steuerung meldet einen Motorfehler</translation>
+    </message>
+    <message>
+        <source>the controller reports too much current</source>
+        <translation>die Steuerung meldet zu viel Strom</translation>
+    </message>
+    <message>
+        <source>the controller reports an error on the line</source>
+        <translation>die Steuerung meldet einen Fehler auf der Leitung</translation>
+    </message>
+    <message>
+        <source>the controller&apos;s serial timeout has stopped the motors</source>
+        <translation>die serielle Zeitüberwachung der Steuerung hat die Motoren angehalten</translation>
+    </message>
+    <message>
+        <source>the stall guard has stopped them</source>
+        <translation>der Blockierschutz hat sie angehalten</translation>
+    </message>
+    <message>
+        <source>the language was changed</source>
+        <translation>die Sprache wurde gewechselt</translation>
+    </message>
+    <message>
+        <source>the program did not answer for a while</source>
+        <translation>das Programm antwortete eine Weile nicht</translation>
+    </message>
+    <message>
+        <source>motors 1 and 2</source>
+        <translation>Motoren 1 und 2</translation>
+    </message>
+    <message>
+        <source>motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>motor 2</source>
+        <translation>Motor 2</translation>
     </message>
 </context>
 <context>
@@ -2045,7 +3210,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Der Controller hat abgelehnt: er hat keinen solchen Parameter</translation>
     </message>
     <message>
-        <source>Check the parameter's number; 0x17 needs firmware 1.2 or later.</source>
+        <source>Check the parameter&apos;s number; 0x17 needs firmware 1.2 or later.</source>
         <translation>Nummer des Parameters prüfen; 0x17 erfordert Firmware 1.2 oder neuer.</translation>
     </message>
     <message>
@@ -2085,7 +3250,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Die Antwort ist abgebrochen</translation>
     </message>
     <message>
-        <source>Check the wiring and the controller's power, then try again.</source>
+        <source>Check the wiring and the controller&apos;s power, then try again.</source>
         <translation>Verdrahtung und Versorgung des Controllers prüfen, dann erneut versuchen.</translation>
     </message>
     <message>
@@ -2117,7 +3282,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Nur die eigenen Bytes kamen zurück: %1</translation>
     </message>
     <message>
-        <source>Check the controller's power and the wiring, that the RS-232 pins carry RS-232 and the SI and SO pins logic levels, and the baud rate.</source>
+        <source>Check the controller&apos;s power and the wiring, that the RS-232 pins carry RS-232 and the SI and SO pins logic levels, and the baud rate.</source>
         <translation>Stromversorgung des Controllers und Verkabelung prüfen, ob die RS-232-Pins RS-232 und die Pins SI und SO Logikpegel führen, sowie die Baudrate.</translation>
     </message>
     <message>
@@ -2292,6 +3457,14 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <source>Check its folder, that you may write there, and that the disk is not full.</source>
         <translation>Ordner und Schreibberechtigung prüfen und ob der Datenträger voll ist.</translation>
     </message>
+    <message>
+        <source>This is a recording: nothing here reaches a controller</source>
+        <translation>Dies ist eine Aufzeichnung: Nichts von hier erreicht einen Controller</translation>
+    </message>
+    <message>
+        <source>Use the window of the controller that is connected.</source>
+        <translation>Verwenden Sie das Fenster des verbundenen Controllers.</translation>
+    </message>
 </context>
 <context>
     <name>JournalText</name>
@@ -2340,7 +3513,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Journal %1 (%2)</translation>
     </message>
     <message>
-        <source>Qt's driver for SQLite is not installed</source>
+        <source>Qt&apos;s driver for SQLite is not installed</source>
         <translation>der Qt-Treiber für SQLite ist nicht installiert</translation>
     </message>
     <message>
@@ -2419,7 +3592,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>%1, zwei Stoppbits</translation>
     </message>
     <message>
-        <source>Nothing at all came back. Check the controller's power, that ground and both data wires are connected, and that the two data wires are not swapped.</source>
+        <source>Nothing at all came back. Check the controller&apos;s power, that ground and both data wires are connected, and that the two data wires are not swapped.</source>
         <translation>Es kam gar nichts zurück. Prüfen, ob der Controller versorgt ist und ob Masse und beide Datenleitungen angeschlossen und die beiden Datenleitungen nicht vertauscht sind.</translation>
     </message>
     <message>
@@ -2435,7 +3608,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>Es kamen Bytes zurück, die keine Antwort eines TReX sind. Auf lose Masse und andere Geräte an der Leitung prüfen; bei CRC-7 das Polynom angeben, falls es geändert wurde.</translation>
     </message>
     <message>
-        <source>Last resort, back to the factory's serial settings (19200 baud, no error detection):
+        <source>Last resort, back to the factory&apos;s serial settings (19200 baud, no error detection):
 1. Switch the controller off.
 2. Take the mode jumper off.
 3. Connect SO to ground with the learning jumper.
@@ -2443,7 +3616,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
 5. Switch on: red and green blink in turn.
 6. Take the mix jumper off: they blink faster. Go no further, taking the SO jumper off now enters the firmware upgrade.
 7. Switch off, take the learning jumper off, switch on, and recover again.
-The steps come from people who quote the vendor's guide; that they restore the serial settings is inferred, not confirmed.</source>
+The steps come from people who quote the vendor&apos;s guide; that they restore the serial settings is inferred, not confirmed.</source>
         <translation>Letzter Ausweg, zurück zu den seriellen Werkseinstellungen (19200 Baud, keine Fehlererkennung):
 1. Den Regler ausschalten.
 2. Den Modus-Jumper abziehen.
@@ -2453,6 +3626,212 @@ The steps come from people who quote the vendor's guide; that they restore the s
 6. Den Mix-Jumper abziehen: sie blinken schneller. Nicht weitergehen; wer jetzt den SO-Jumper abzieht, beginnt die Firmware-Aktualisierung.
 7. Ausschalten, den Lern-Jumper abziehen, einschalten und noch einmal wiederfinden lassen.
 Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; dass sie die seriellen Einstellungen zurücksetzen, ist erschlossen, nicht bestätigt.</translation>
+    </message>
+</context>
+<context>
+    <name>Marks</name>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>Disconnected</source>
+        <translation>Getrennt</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Scharf geschaltet</translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation>Entschärft</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Setting written</source>
+        <translation>Einstellung geschrieben</translation>
+    </message>
+    <message>
+        <source>Over current</source>
+        <translation>Überstrom</translation>
+    </message>
+    <message>
+        <source>Motor fault</source>
+        <translation>Motorfehler</translation>
+    </message>
+    <message>
+        <source>Serial timeout</source>
+        <translation>Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>Line error</source>
+        <translation>Leitungsfehler</translation>
+    </message>
+    <message>
+        <source>Restarted</source>
+        <translation>Neu gestartet</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>MotionReason</name>
+    <message>
+        <source>braking %1 %</source>
+        <translation>bremst %1 %</translation>
+    </message>
+    <message>
+        <source>at zero</source>
+        <translation>auf null</translation>
+    </message>
+    <message>
+        <source>forward %1 %</source>
+        <translation>vorwärts %1 %</translation>
+    </message>
+    <message>
+        <source>reverse %1 %</source>
+        <translation>rückwärts %1 %</translation>
+    </message>
+    <message>
+        <source>motor 1 %1, motor 2 %2, auxiliary %3</source>
+        <translation>Motor 1 %1, Motor 2 %2, Hilfsmotor %3</translation>
+    </message>
+    <message>
+        <source>Stopping: the stop is on its way to all three motors.</source>
+        <translation>Anhalten: Der Stopp ist zu allen drei Motoren unterwegs.</translation>
+    </message>
+    <message>
+        <source>The stop could NOT be confirmed: the motors may still run. Cut their power if they do.</source>
+        <translation>Der Stopp ist NICHT bestätigt: Die Motoren können noch laufen. Trennen Sie dann ihre Versorgung.</translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation>Verbindung zu %1 wird aufgebaut…</translation>
+    </message>
+    <message>
+        <source>%1 Trying again.</source>
+        <translation>%1 Neuer Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>%1 What the motors do now is not known. Trying again.</source>
+        <translation>%1 Was die Motoren jetzt tun, ist nicht bekannt. Neuer Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>The link is lost: what the motors do now is not known. Trying again.</source>
+        <translation>Die Verbindung ist verloren: Was die Motoren jetzt tun, ist unbekannt. Neuer Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>Not connected: connect to a controller, or simulate one.</source>
+        <translation>Nicht verbunden: mit einem Controller verbinden oder einen simulieren.</translation>
+    </message>
+    <message>
+        <source>The watchdog proof runs: nothing is sent on purpose. Esc stops.</source>
+        <translation>Der Nachweis der Zeitüberwachung läuft: Es wird absichtlich nichts gesendet. Esc hält an.</translation>
+    </message>
+    <message>
+        <source>Stall guard: a motor drew too much current for too long. All motors are led to zero.</source>
+        <translation>Blockierschutz: Ein Motor zog zu lange zu viel Strom. Alle Motoren werden auf null geführt.</translation>
+    </message>
+    <message>
+        <source>Stopped: all motors were told to stop. Arming is locked for half a second.</source>
+        <translation>Angehalten: Alle Motoren haben den Stopp bekommen. Scharfschalten ist eine halbe Sekunde gesperrt.</translation>
+    </message>
+    <message>
+        <source>Stopped: all motors were told to stop. Arm to drive again.</source>
+        <translation>Gestoppt: Allen Motoren wurde Stopp befohlen. Zum Weiterfahren scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Motor %1: its driver reports a fault and has switched off. Look for a short circuit, heat or a weak supply.</source>
+        <translation>Motor %1: Sein Treiber meldet einen Fehler und hat abgeschaltet. Prüfen Sie auf Kurzschluss, Hitze und zu schwache Versorgung.</translation>
+    </message>
+    <message>
+        <source>Motors off: channel %1 is required and brings no valid pulse. Switch the transmitter on, or change the required channels.</source>
+        <translation>Motoren aus: Kanal %1 ist erforderlich und bringt keinen gültigen Impuls. Schalten Sie den Sender ein, oder ändern Sie die erforderlichen Kanäle.</translation>
+    </message>
+    <message>
+        <source>Serial override: channel 5 has given the motors to this program. Arm to drive, or switch channel 5 back.</source>
+        <translation>Serieller Vorrang: Kanal 5 hat die Motoren diesem Programm gegeben. Zum Fahren scharf schalten, oder Kanal 5 zurückschalten.</translation>
+    </message>
+    <message>
+        <source>Probably safe-start: channel %1 is not at neutral, and no motor draws current. Bring all motor channels to neutral (inferred).</source>
+        <translation>Wahrscheinlich sicherer Start: Kanal %1 ist nicht neutral, und kein Motor zieht Strom. Bringen Sie alle Motorkanäle auf neutral (erschlossen).</translation>
+    </message>
+    <message>
+        <source>Command pending: the channels control the motors now. It acts at the moment serial takes over.</source>
+        <translation>Befehl wartet: Jetzt steuern die Kanäle die Motoren. Er wirkt, sobald die serielle Übernahme beginnt.</translation>
+    </message>
+    <message>
+        <source>Armed, but the channels control the motors (mode jumper, channel 5): commands will wait in the controller.</source>
+        <translation>Scharf, aber die Kanäle steuern die Motoren (Betriebsart-Brücke, Kanal 5): Befehle warten in der Steuerung.</translation>
+    </message>
+    <message>
+        <source>The channels drive the motors: motor 1 %1, motor 2 %2. They do not hear this program.</source>
+        <translation>Die Kanäle treiben die Motoren: Motor 1 %1, Motor 2 %2. Auf dieses Programm hören sie nicht.</translation>
+    </message>
+    <message>
+        <source>Disarmed. The controller is in RC or analog mode: its channels control the motors.</source>
+        <translation>Gesichert. Der Controller ist im RC- oder Analogmodus: Seine Kanäle steuern die Motoren.</translation>
+    </message>
+    <message>
+        <source>Motors off: the serial timeout has stopped them, nothing was heard for its time. Arm to drive again.</source>
+        <translation>Motoren aus: Die serielle Zeitüberwachung hat sie angehalten, so lange war nichts zu hören. Zum Fahren wieder scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Motors off: the controller heard an error on the line and is set to stop for it. The next order drives again.</source>
+        <translation>Motoren aus: Die Steuerung hörte einen Fehler auf der Leitung und ist so eingestellt, dass sie dann anhält. Der nächste Befehl treibt wieder an.</translation>
+    </message>
+    <message>
+        <source>Motor %1 is held back by its current limit.</source>
+        <translation>Motor %1 wird von seiner Strombegrenzung zurückgehalten.</translation>
+    </message>
+    <message>
+        <source>Motor %1 drew more current than its limit a moment ago.</source>
+        <translation>Motor %1 zog eben mehr Strom als seine Grenze.</translation>
+    </message>
+    <message>
+        <source>Disarmed: %1. Arm to drive again.</source>
+        <translation>Gesichert: %1. Zum Fahren wieder scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Disarmed: nothing is sent to the motors. Arm to drive them.</source>
+        <translation>Gesichert: An die Motoren wird nichts gesendet. Zum Antreiben scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Joint mode: both bridges follow motor 1. Orders to motor 2 do nothing.</source>
+        <translation>Gemeinsamer Betrieb: Beide Brücken folgen Motor 1. Befehle an Motor 2 bewirken nichts.</translation>
+    </message>
+    <message>
+        <source>Braking: %1.</source>
+        <translation>Bremsen: %1.</translation>
+    </message>
+    <message>
+        <source>Ramp: %1, on the way to the order.</source>
+        <translation>Rampe: %1, auf dem Weg zum Befehl.</translation>
+    </message>
+    <message>
+        <source>Ordered to move, but no motor draws current: probably none is connected, or their supply is off (inferred).</source>
+        <translation>Befehl zum Fahren, aber kein Motor zieht Strom: Wahrscheinlich ist keiner angeschlossen, oder ihre Versorgung ist aus (erschlossen).</translation>
+    </message>
+    <message>
+        <source>Driving: %1.</source>
+        <translation>Angetrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Armed: move a slider to drive. Esc stops.</source>
+        <translation>Scharf: zum Fahren einen Schieberegler bewegen. Esc hält an.</translation>
     </message>
 </context>
 <context>
@@ -2494,8 +3873,8 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Wartezeit auf eine Antwort, über die Übertragungszeit hinaus; Standard 100</translation>
     </message>
     <message>
-        <source>%1 '%2' (one of %3)</source>
-        <translation>%1 '%2' (eines von %3)</translation>
+        <source>%1 &apos;%2&apos; (one of %3)</source>
+        <translation>%1 &apos;%2&apos; (eines von %3)</translation>
     </message>
     <message>
         <source>--device with --protocol compact, which carries no number</source>
@@ -2506,24 +3885,24 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Leitungsoptionen</translation>
     </message>
     <message>
-        <source>%1 '%2' is not a whole number (%3…%4)</source>
-        <translation>%1 '%2' ist keine ganze Zahl (%3…%4)</translation>
+        <source>%1 &apos;%2&apos; is not a whole number (%3…%4)</source>
+        <translation>%1 &apos;%2&apos; ist keine ganze Zahl (%3…%4)</translation>
     </message>
     <message>
-        <source>%1 '%2' (a number above 0, at most %3)</source>
-        <translation>%1 '%2' (eine Zahl über 0, höchstens %3)</translation>
+        <source>%1 &apos;%2&apos; (a number above 0, at most %3)</source>
+        <translation>%1 &apos;%2&apos; (eine Zahl über 0, höchstens %3)</translation>
     </message>
     <message>
-        <source>--scale '%1' (50 to 400 percent)</source>
-        <translation>--scale '%1' (50 bis 400 Prozent)</translation>
+        <source>--scale &apos;%1&apos; (50 to 400 percent)</source>
+        <translation>--scale &apos;%1&apos; (50 bis 400 Prozent)</translation>
     </message>
     <message>
-        <source>--theme '%1' (one of %2)</source>
-        <translation>--theme '%1' (eines von %2)</translation>
+        <source>--theme &apos;%1&apos; (one of %2)</source>
+        <translation>--theme &apos;%1&apos; (eines von %2)</translation>
     </message>
     <message>
-        <source>--language '%1' (one of %2)</source>
-        <translation>--language '%1' (eines von %2)</translation>
+        <source>--language &apos;%1&apos; (one of %2)</source>
+        <translation>--language &apos;%1&apos; (eines von %2)</translation>
     </message>
     <message>
         <source>--simulate and --port: one or the other</source>
@@ -2554,7 +3933,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>aufschreiben, was das Skript getan hat, als JSON</translation>
     </message>
     <message>
-        <source>folder for the script's pictures; default out/demo</source>
+        <source>folder for the script&apos;s pictures; default out/demo</source>
         <translation>Ordner für die Bilder des Skripts; Standard out/demo</translation>
     </message>
     <message>
@@ -2580,6 +3959,10 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>trexpanel: %1. See: trexpanel --help</source>
         <translation>trexpanel: %1. Siehe: trexpanel --help</translation>
+    </message>
+    <message>
+        <source>a recording to open beside the panel</source>
+        <translation>eine Aufzeichnung, die neben dem Panel geöffnet wird</translation>
     </message>
 </context>
 <context>
@@ -2903,6 +4286,14 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <source>Channels</source>
         <translation>Kanäle</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Bench tests</source>
+        <translation>Prüfstand</translation>
+    </message>
 </context>
 <context>
     <name>ParameterField</name>
@@ -3224,7 +4615,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Totbandbremse Motor 1</translation>
     </message>
     <message>
-        <source>Braking duty while motor 1's channel rests in its deadband (RC and analog modes): 0 coasts, 127 brakes fully.</source>
+        <source>Braking duty while motor 1&apos;s channel rests in its deadband (RC and analog modes): 0 coasts, 127 brakes fully.</source>
         <translation>Bremsgrad, solange der Kanal von Motor 1 in seinem Totband ruht (RC- und Analogmodus): 0 lässt auslaufen, 127 bremst voll.</translation>
     </message>
     <message>
@@ -3232,7 +4623,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Totbandbremse Motor 2</translation>
     </message>
     <message>
-        <source>Braking duty while motor 2's channel rests in its deadband (RC and analog modes): 0 coasts, 127 brakes fully.</source>
+        <source>Braking duty while motor 2&apos;s channel rests in its deadband (RC and analog modes): 0 coasts, 127 brakes fully.</source>
         <translation>Bremsgrad, solange der Kanal von Motor 2 in seinem Totband ruht (RC- und Analogmodus): 0 lässt auslaufen, 127 bremst voll.</translation>
     </message>
     <message>
@@ -3256,7 +4647,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>PWM-Vorteiler Motor 1</translation>
     </message>
     <message>
-        <source>Sets motor 1's PWM frequency. The TReX Jr's driver is rated for 10 kHz.</source>
+        <source>Sets motor 1&apos;s PWM frequency. The TReX Jr&apos;s driver is rated for 10 kHz.</source>
         <translation>Legt die PWM-Frequenz von Motor 1 fest. Der Treiber des TReX Jr ist für 10 kHz ausgelegt.</translation>
     </message>
     <message>
@@ -3264,7 +4655,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>PWM-Vorteiler Motor 2</translation>
     </message>
     <message>
-        <source>Sets motor 2's PWM frequency. The TReX Jr's driver is rated for 10 kHz.</source>
+        <source>Sets motor 2&apos;s PWM frequency. The TReX Jr&apos;s driver is rated for 10 kHz.</source>
         <translation>Legt die PWM-Frequenz von Motor 2 fest. Der Treiber des TReX Jr ist für 10 kHz ausgelegt.</translation>
     </message>
     <message>
@@ -3272,7 +4663,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>PWM-Maximum Motor 1</translation>
     </message>
     <message>
-        <source>Full scale of motor 1's speed number; 127 is the default 7-bit resolution.</source>
+        <source>Full scale of motor 1&apos;s speed number; 127 is the default 7-bit resolution.</source>
         <translation>Endwert der Drehzahlangabe von Motor 1; 127 ist die Standardauflösung von 7 Bit.</translation>
     </message>
     <message>
@@ -3280,7 +4671,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>PWM-Maximum Motor 2</translation>
     </message>
     <message>
-        <source>Full scale of motor 2's speed number; 127 is the default 7-bit resolution.</source>
+        <source>Full scale of motor 2&apos;s speed number; 127 is the default 7-bit resolution.</source>
         <translation>Endwert der Drehzahlangabe von Motor 2; 127 ist die Standardauflösung von 7 Bit.</translation>
     </message>
     <message>
@@ -3288,7 +4679,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>PWM-Maximum Hilfsmotor</translation>
     </message>
     <message>
-        <source>Full scale of the auxiliary motor's speed number.</source>
+        <source>Full scale of the auxiliary motor&apos;s speed number.</source>
         <translation>Endwert der Drehzahlangabe des Hilfsmotors.</translation>
     </message>
     <message>
@@ -3414,6 +4805,81 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <source>no data</source>
         <translation>keine Daten</translation>
     </message>
+    <message>
+        <source>Arrow keys pan, plus and minus zoom, with Ctrl the values; Home shows the start, End follows the newest, F shows everything, P pauses. Alt with left and right goes back and forward through the views. 1 and 2 place the cursors, Shift with left and right moves one, Delete removes it. N and Shift N go to the next and the previous event.</source>
+        <translation>Pfeiltasten verschieben, Plus und Minus zoomen, mit Strg die Werte; Pos1 zeigt den Anfang, Ende folgt dem Neuesten, F zeigt alles, P hält an. Alt mit links und rechts geht durch die Ansichten zurück und vor. 1 und 2 setzen die Cursor, Umschalt mit links und rechts bewegt einen, Entf entfernt ihn. N und Umschalt+N gehen zum nächsten und zum vorigen Ereignis.</translation>
+    </message>
+    <message>
+        <source>limit 1: %1</source>
+        <translation>Grenze 1: %1</translation>
+    </message>
+    <message>
+        <source>limit 2: %1</source>
+        <translation>Grenze 2: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>%1 current</source>
+        <translation>%1, Strom</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Teal</source>
+        <translation>Türkis</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violett</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Ochre</source>
+        <translation>Ocker</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Black or white</source>
+        <translation>Schwarz oder Weiß</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>Dünn</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Thick</source>
+        <translation>Dick</translation>
+    </message>
 </context>
 <context>
     <name>Polls</name>
@@ -3481,7 +4947,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>kein Platz für eine Kopie zur Reparatur</translation>
     </message>
     <message>
-        <source>its tables are not a recording's</source>
+        <source>its tables are not a recording&apos;s</source>
         <translation>ihre Tabellen sind nicht die einer Aufzeichnung</translation>
     </message>
     <message numerus="yes">
@@ -3562,6 +5028,30 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <source>UART error byte</source>
         <translation>UART-Fehlerbyte</translation>
     </message>
+    <message>
+        <source>Motor 1 command</source>
+        <translation>Vorgabe Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2 command</source>
+        <translation>Vorgabe Motor 2</translation>
+    </message>
+    <message>
+        <source>Auxiliary motor command</source>
+        <translation>Vorgabe Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>Transactions</source>
+        <translation>Transaktionen</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>Umlaufzeit</translation>
+    </message>
+    <message>
+        <source>Link errors</source>
+        <translation>Verbindungsfehler</translation>
+    </message>
 </context>
 <context>
     <name>Transfer</name>
@@ -3610,7 +5100,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Nicht wiederhergestellt, erneut lesen: %1.</translation>
     </message>
     <message>
-        <source>Switch the controller's power off and on for: %1.</source>
+        <source>Switch the controller&apos;s power off and on for: %1.</source>
         <translation>Controller aus- und einschalten für: %1.</translation>
     </message>
     <message>
@@ -3658,6 +5148,588 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>About and licences</source>
         <translation>Info und Lizenzen</translation>
+    </message>
+</context>
+<context>
+    <name>trex::BenchChart</name>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>Aux</source>
+        <translation>Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>measured; thin: predicted</source>
+        <translation>gemessen; dünn: vorhergesagt</translation>
+    </message>
+    <message>
+        <source>predicted by the dry run</source>
+        <translation>vom Probelauf vorhergesagt</translation>
+    </message>
+    <message>
+        <source>The dry run shows here what currents to expect.</source>
+        <translation>Der Probelauf zeigt hier, welche Ströme zu erwarten sind.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::BenchLimitsForm</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source> A</source>
+        <translation> A</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>More than this in one motor stops everything</source>
+        <translation>Mehr als das in einem Motor hält alles an</translation>
+    </message>
+    <message>
+        <source>… for</source>
+        <translation>… für</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>a single reading</source>
+        <translation>ein einziger Messwert</translation>
+    </message>
+    <message>
+        <source>How long the current may be above its limit</source>
+        <translation>Wie lange der Strom über seiner Grenze liegen darf</translation>
+    </message>
+    <message>
+        <source>Current × time</source>
+        <translation>Strom × Zeit</translation>
+    </message>
+    <message>
+        <source> A s</source>
+        <translation> A s</translation>
+    </message>
+    <message>
+        <source>More than this in one motor since the start stops everything</source>
+        <translation>Mehr als das in einem Motor seit dem Beginn hält alles an</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>as planned</source>
+        <translation>wie geplant</translation>
+    </message>
+    <message>
+        <source>Longer than this stops everything</source>
+        <translation>Länger als das hält alles an</translation>
+    </message>
+    <message>
+        <source>Link errors</source>
+        <translation>Verbindungsfehler</translation>
+    </message>
+    <message>
+        <source>More replies lost or damaged than this stop everything</source>
+        <translation>Mehr verlorene oder beschädigte Antworten halten alles an</translation>
+    </message>
+    <message>
+        <source>No readings for</source>
+        <translation>Keine Messwerte seit</translation>
+    </message>
+    <message>
+        <source>Without a fresh reading for so long, everything stops</source>
+        <translation>Ohne frischen Messwert so lange hält alles an</translation>
+    </message>
+    <message>
+        <source>Stop at over-current bit</source>
+        <translation>Beim Überstrombit anhalten</translation>
+    </message>
+    <message>
+        <source>Supply</source>
+        <translation>Versorgung</translation>
+    </message>
+    <message>
+        <source> V</source>
+        <translation> V</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>As you measured it; without it nothing can be given in ohms</source>
+        <translation>Wie Sie sie gemessen haben; ohne sie lässt sich nichts in Ohm angeben</translation>
+    </message>
+</context>
+<context>
+    <name>trex::BenchPanel</name>
+    <message>
+        <source>Parts of the bench test</source>
+        <translation>Teile der Prüfung</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Steps and limits</source>
+        <translation>Schritte und Grenzen</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Bench tests</source>
+        <translation>Prüfstand</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Speeds and currents of the test</source>
+        <translation>Geschwindigkeiten und Ströme der Prüfung</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Step or limits</source>
+        <translation>Schritt oder Grenzen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Whole test</source>
+        <translation>Ganze Prüfung</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Proposed settings</source>
+        <translation>Vorgeschlagene Einstellungen</translation>
+    </message>
+    <message>
+        <source>To a configuration file…</source>
+        <translation>In eine Konfigurationsdatei …</translation>
+    </message>
+    <message>
+        <source>What will happen</source>
+        <translation>Was geschehen wird</translation>
+    </message>
+    <message>
+        <source>Arm and start</source>
+        <translation>Scharf schalten und starten</translation>
+    </message>
+    <message>
+        <source>Do not start</source>
+        <translation>Nicht starten</translation>
+    </message>
+    <message>
+        <source>State of the test</source>
+        <translation>Zustand der Prüfung</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>Probelauf</translation>
+    </message>
+    <message>
+        <source>Runs the test on a private simulated controller: no motor moves</source>
+        <translation>Führt die Prüfung auf einem eigenen simulierten Regler aus: kein Motor bewegt sich</translation>
+    </message>
+    <message>
+        <source>Start…</source>
+        <translation>Starten …</translation>
+    </message>
+    <message>
+        <source>HTML…</source>
+        <translation>HTML …</translation>
+    </message>
+    <message>
+        <source>Report as HTML</source>
+        <translation>Bericht als HTML</translation>
+    </message>
+    <message>
+        <source>PDF…</source>
+        <translation>PDF …</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Bericht als PDF</translation>
+    </message>
+    <message>
+        <source>Stop all motors</source>
+        <translation>Alle Motoren anhalten</translation>
+    </message>
+    <message>
+        <source>Comes with the program</source>
+        <translation>Gehört zum Programm</translation>
+    </message>
+    <message>
+        <source>Not connected.</source>
+        <translation>Nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>Just stopped: no orders for half a second.</source>
+        <translation>Eben angehalten: eine halbe Sekunde lang keine Befehle.</translation>
+    </message>
+    <message>
+        <source>Serial does not control the motors (mode jumper, channel 5).</source>
+        <translation>Die serielle Leitung steuert die Motoren nicht (Betriebsart-Jumper, Kanal 5).</translation>
+    </message>
+    <message>
+        <source>In joint mode the controller measures no currents.</source>
+        <translation>Im gemeinsamen Betrieb misst der Regler keine Ströme.</translation>
+    </message>
+    <message>
+        <source>This test cannot be run: %1.</source>
+        <translation>Diese Prüfung ist nicht ausführbar: %1.</translation>
+    </message>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>The auxiliary motor</source>
+        <translation>Der Hilfsmotor</translation>
+    </message>
+    <message>
+        <source>%1 up to speed %2 (%3 %)</source>
+        <translation>%1 bis Geschwindigkeit %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>No motor is driven</source>
+        <translation>Kein Motor wird angetrieben</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Runs the test on the motors, after a question</source>
+        <translation>Führt die Prüfung mit den Motoren aus, nach einer Frage</translation>
+    </message>
+    <message>
+        <source>%1; %2 s.</source>
+        <translation>%1; %2 s.</translation>
+    </message>
+    <message>
+        <source> (edited)</source>
+        <translation> (geändert)</translation>
+    </message>
+    <message>
+        <source>No results yet: try a dry run, or start the test.</source>
+        <translation>Noch keine Ergebnisse: versuchen Sie einen Probelauf oder starten Sie die Prüfung.</translation>
+    </message>
+    <message>
+        <source>(Dry run: a prediction.)</source>
+        <translation>(Probelauf: eine Vorhersage.)</translation>
+    </message>
+    <message>
+        <source>Proposed: %1: %2. %3</source>
+        <translation>Vorschlag: %1: %2. %3</translation>
+    </message>
+    <message>
+        <source>Dry run cancelled.</source>
+        <translation>Probelauf abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Dry run: %1 s simulated.</source>
+        <translation>Probelauf: %1 s simuliert.</translation>
+    </message>
+    <message>
+        <source>Dry run of &quot;%1&quot;: %2</source>
+        <translation>Probelauf von „%1“: %2</translation>
+    </message>
+    <message>
+        <source>%1, for %2 s. Is the machine held fast or its wheels off the ground, and is everybody clear of it? STOP and Esc end it at once.</source>
+        <translation>%1, für %2 s. Ist die Maschine festgehalten oder aufgebockt, und sind alle aus ihrem Bereich? STOP und Esc beenden es sofort.</translation>
+    </message>
+    <message>
+        <source>Waiting for your word.</source>
+        <translation>Wartet auf Ihr Wort.</translation>
+    </message>
+    <message>
+        <source>Bench test &quot;%1&quot; started: %2.</source>
+        <translation>Prüfung „%1“ begonnen: %2.</translation>
+    </message>
+    <message>
+        <source>Running: %1 s, step %2.</source>
+        <translation>Läuft: %1 s, Schritt %2.</translation>
+    </message>
+    <message>
+        <source>Waiting for fresh readings.</source>
+        <translation>Wartet auf frische Messwerte.</translation>
+    </message>
+    <message>
+        <source>Bench test &quot;%1&quot;: %2</source>
+        <translation>Prüfung „%1“: %2</translation>
+    </message>
+    <message>
+        <source>Open a bench test</source>
+        <translation>Prüfung öffnen</translation>
+    </message>
+    <message>
+        <source>Bench tests (*.json)</source>
+        <translation>Prüfungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the bench test</source>
+        <translation>Prüfung speichern</translation>
+    </message>
+    <message>
+        <source>Bench test saved to %1.</source>
+        <translation>Prüfung in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>Report written to %1.</source>
+        <translation>Bericht in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Proposed settings as a configuration file</source>
+        <translation>Vorgeschlagene Einstellungen als Konfigurationsdatei</translation>
+    </message>
+    <message>
+        <source>Configurations (*.json)</source>
+        <translation>Konfigurationen (*.json)</translation>
+    </message>
+    <message>
+        <source>Proposals written to %1. Load shows them in the parameters, where each is taken or left.</source>
+        <translation>Vorschläge in %1 geschrieben. „Laden“ zeigt sie bei den Parametern, wo jeder übernommen oder gelassen wird.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::BenchResultModel</name>
+    <message>
+        <source>What you expect, in the result&apos;s unit; empty: nothing. It is kept with the test.</source>
+        <translation>Was Sie erwarten, in der Einheit des Ergebnisses; leer: nichts. Es bleibt bei der Prüfung.</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>trex::BenchStepForm</name>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>where it is</source>
+        <translation>wo er ist</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Braking duty</source>
+        <translation>Bremstastgrad</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation>Bit</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>or the test has failed</source>
+        <translation>sonst ist die Prüfung nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Stop above</source>
+        <translation>Halt über</translation>
+    </message>
+    <message>
+        <source> A</source>
+        <translation> A</translation>
+    </message>
+    <message>
+        <source>as the test</source>
+        <translation>wie die Prüfung</translation>
+    </message>
+    <message>
+        <source>A current limit of this step&apos;s own</source>
+        <translation>Eine eigene Stromgrenze dieses Schrittes</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Bezeichnung</translation>
+    </message>
+    <message>
+        <source>shown in the plot</source>
+        <translation>steht im Diagramm</translation>
+    </message>
+    <message>
+        <source>What the step does</source>
+        <translation>Was der Schritt tut</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>What it waits for</source>
+        <translation>Worauf er wartet</translation>
+    </message>
+    <message>
+        <source>Status bit</source>
+        <translation>Statusbit</translation>
+    </message>
+    <message>
+        <source>Do</source>
+        <translation>Tut</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+</context>
+<context>
+    <name>trex::BenchStepModel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
 </context>
 <context>
@@ -3770,7 +5842,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Kalibrierung: %1</translation>
     </message>
     <message>
-        <source>The calibration's panel was closed.</source>
+        <source>The calibration&apos;s panel was closed.</source>
         <translation>Der Bereich Kalibrierung wurde geschlossen.</translation>
     </message>
 </context>
@@ -4165,7 +6237,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Die Verbindung zum Controller ging verloren, während die früheren Werte wiederhergestellt wurden.</translation>
     </message>
     <message>
-        <source>In RC and analog mode the sticks move the motors: switch the motors' power off and tick that it is off, or put the controller into serial mode.</source>
+        <source>In RC and analog mode the sticks move the motors: switch the motors&apos; power off and tick that it is off, or put the controller into serial mode.</source>
         <translation>Im RC- und Analogmodus bewegen die Knüppel die Motoren: die Motorversorgung ausschalten und ankreuzen, dass sie aus ist, oder den Controller in den seriellen Modus versetzen.</translation>
     </message>
     <message>
@@ -4183,6 +6255,10 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>When the controller is there again, what it holds is read back.</source>
         <translation>Sobald der Controller wieder da ist, wird zurückgelesen, was er enthält.</translation>
+    </message>
+    <message>
+        <source>Channels to be held at each end for longer: %1.</source>
+        <translation>Kanäle, die an jedem Ende länger zu halten sind: %1.</translation>
     </message>
 </context>
 <context>
@@ -4224,7 +6300,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Gelernt: für diesen Sender kalibriert</translation>
     </message>
     <message>
-        <source>Not learned: the factory's calibration</source>
+        <source>Not learned: the factory&apos;s calibration</source>
         <translation>Nicht gelernt: Kalibrierung ab Werk</translation>
     </message>
     <message>
@@ -4413,7 +6489,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Einstellung</translation>
     </message>
     <message>
-        <source>The controller's settings are not read: connect first.</source>
+        <source>The controller&apos;s settings are not read: connect first.</source>
         <translation>Die Einstellungen des Controllers sind nicht gelesen: zuerst verbinden.</translation>
     </message>
     <message>
@@ -4427,6 +6503,73 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>Calibrations are left out: their defaults are not known. Defaults marked ≈ in the table of parameters are guesses.</source>
         <translation>Kalibrierungen sind ausgelassen: Ihre Standardwerte sind unbekannt. In der Parametertabelle mit ≈ markierte Standardwerte sind vermutet.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CompareList</name>
+    <message>
+        <source>fixed in the view</source>
+        <translation>fest in der Ansicht</translation>
+    </message>
+    <message>
+        <source>by time, start on start</source>
+        <translation>nach der Zeit, Anfang auf Anfang</translation>
+    </message>
+    <message>
+        <source>by the trigger</source>
+        <translation>nach dem Trigger</translation>
+    </message>
+    <message>
+        <source>by the command step</source>
+        <translation>nach dem Sprung des Befehls</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Nothing to compare with. Freeze what the plots show now, or open a recording.</source>
+        <translation>Nichts zum Vergleichen. Frieren Sie ein, was die Diagramme jetzt zeigen, oder öffnen Sie eine Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Freeze the view</source>
+        <translation>Ansicht einfrieren</translation>
+    </message>
+    <message>
+        <source>Keep what the plots show now as a reference behind the curves</source>
+        <translation>Was die Diagramme jetzt zeigen, als Vergleich hinter den Kurven behalten</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Name of the run</source>
+        <translation>Name des Laufs</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>No longer compare with it</source>
+        <translation>Nicht mehr damit vergleichen</translation>
+    </message>
+    <message>
+        <source>Shift of %1</source>
+        <translation>Verschiebung von %1</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>cannot be aligned: no such moment</source>
+        <translation>nicht ausrichtbar: kein solcher Zeitpunkt</translation>
     </message>
 </context>
 <context>
@@ -4594,10 +6737,6 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Scharf: Motorbefehle werden gesendet.</translation>
     </message>
     <message>
-        <source>Disarmed.</source>
-        <translation>Gesichert.</translation>
-    </message>
-    <message>
         <source>A reply with latched bits was lost on the line; bits that it carried may be missing from the counts.</source>
         <translation>Eine Antwort mit gespeicherten Bits ging auf der Leitung verloren; ihre Bits fehlen möglicherweise in den Zählern.</translation>
     </message>
@@ -4660,6 +6799,18 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>The controller was silent and answers again: it may have been restarted. Everything is read anew.</source>
         <translation>Der Controller schwieg und antwortet wieder: Er wurde möglicherweise neu gestartet. Alles wird neu gelesen.</translation>
+    </message>
+    <message>
+        <source>Disarmed: %1.</source>
+        <translation>Gesichert: %1.</translation>
+    </message>
+    <message>
+        <source>Disarmed: %1 (%2).</source>
+        <translation>Gesichert: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Stall guard: motor %1 drew %2 A for %3 ms. All motors are led to zero.</source>
+        <translation>Blockierschutz: Motor %1 zog %3 ms lang %2 A. Alle Motoren werden auf null geführt.</translation>
     </message>
 </context>
 <context>
@@ -4856,6 +7007,14 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <source>whole session</source>
         <translation>gesamte Sitzung</translation>
     </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Two cursors to measure with (1 and 2 in the plot)</source>
+        <translation>Zwei Cursor zum Messen (1 und 2 im Diagramm)</translation>
+    </message>
 </context>
 <context>
     <name>trex::CurveBox</name>
@@ -4870,6 +7029,13 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>Response of channel %1</source>
         <translation>Kennlinie von Kanal %1</translation>
+    </message>
+</context>
+<context>
+    <name>trex::CurveChip</name>
+    <message>
+        <source>Click to show or hide, drag to another plot, right button for colour, width and more</source>
+        <translation>Klicken zeigt oder verbirgt, ziehen bringt in ein anderes Diagramm, rechte Taste für Farbe, Breite und mehr</translation>
     </message>
 </context>
 <context>
@@ -4889,6 +7055,10 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>the controller (%1)</source>
         <translation>Controller (%1)</translation>
+    </message>
+    <message>
+        <source>Stopped and disarmed before a setting is written: without CRC-7 a damaged packet could be heard as a motor order.</source>
+        <translation>Vor dem Schreiben einer Einstellung angehalten und gesichert: Ohne CRC-7 könnte ein beschädigtes Paket als Motorbefehl verstanden werden.</translation>
     </message>
 </context>
 <context>
@@ -4954,6 +7124,40 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     </message>
 </context>
 <context>
+    <name>trex::DrivePad</name>
+    <message>
+        <source>Hold and pull: up is forward, sideways turns. Or hold the arrow keys. Let go: both motors go to zero.</source>
+        <translation>Halten und ziehen: oben ist vorwärts, seitwärts dreht. Oder die Pfeiltasten halten. Loslassen: beide Motoren gehen auf null.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::EventList</name>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>%1 (%2 in a plot)</source>
+        <translation>%1 (%2 in einem Diagramm)</translation>
+    </message>
+    <message>
+        <source>Previous event</source>
+        <translation>Voriges Ereignis</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Umschalt+N</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+</context>
+<context>
     <name>trex::EventLog</name>
     <message>
         <source>Warning</source>
@@ -4981,9 +7185,20 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     </message>
 </context>
 <context>
+    <name>trex::EventModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+</context>
+<context>
     <name>trex::FactoryResetDialog</name>
     <message>
-        <source>All parameters in the controller go back to the factory's values. Calibrations stay.</source>
+        <source>All parameters in the controller go back to the factory&apos;s values. Calibrations stay.</source>
         <translation>Alle Parameter im Controller kehren auf die Werkseinstellungen zurück. Kalibrierungen bleiben.</translation>
     </message>
     <message>
@@ -4991,7 +7206,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Zuerst wird die ganze Konfiguration samt Kalibrierungen in eine Datei gespeichert, aus der „Laden“ sie zurückholt.</translation>
     </message>
     <message>
-        <source>The factory's values are in force after the controller's power was switched off and on.</source>
+        <source>The factory&apos;s values are in force after the controller&apos;s power was switched off and on.</source>
         <translation>Die Werkseinstellungen gelten, nachdem der Controller aus- und eingeschaltet wurde.</translation>
     </message>
     <message>
@@ -5131,7 +7346,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>&amp;Jetzigen Stand festhalten</translation>
     </message>
     <message>
-        <source>Keep the controller's whole configuration under this name</source>
+        <source>Keep the controller&apos;s whole configuration under this name</source>
         <translation>Die ganze Konfiguration des Controllers unter diesem Namen festhalten</translation>
     </message>
     <message>
@@ -5251,7 +7466,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>&amp;Journal…</translation>
     </message>
     <message>
-        <source>Not connected. Choose "All controllers" to read the journal.</source>
+        <source>Not connected. Choose &quot;All controllers&quot; to read the journal.</source>
         <translation>Nicht verbunden. „Alle Regler“ wählen, um das Journal zu lesen.</translation>
     </message>
 </context>
@@ -5648,6 +7863,139 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
 </context>
 <context>
+    <name>trex::MarkKeeper</name>
+    <message>
+        <source>Motor 1 over its current limit</source>
+        <translation>Motor 1 über seiner Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Motor 2 over its current limit</source>
+        <translation>Motor 2 über seiner Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Motor 1 fault</source>
+        <translation>Motor 1: Fehler</translation>
+    </message>
+    <message>
+        <source>Motor 2 fault</source>
+        <translation>Motor 2: Fehler</translation>
+    </message>
+    <message>
+        <source>Serial timeout in the controller</source>
+        <translation>Serielle Zeitüberschreitung im Controller</translation>
+    </message>
+    <message>
+        <source>UART error: packet format</source>
+        <translation>UART-Fehler: Paketformat</translation>
+    </message>
+    <message>
+        <source>UART error: CRC</source>
+        <translation>UART-Fehler: CRC</translation>
+    </message>
+    <message>
+        <source>UART error: frame</source>
+        <translation>UART-Fehler: Rahmen</translation>
+    </message>
+    <message>
+        <source>UART error: data overrun</source>
+        <translation>UART-Fehler: Datenüberlauf</translation>
+    </message>
+    <message>
+        <source>UART error: parity</source>
+        <translation>UART-Fehler: Parität</translation>
+    </message>
+    <message>
+        <source>UART error: read buffer overrun</source>
+        <translation>UART-Fehler: Überlauf des Empfangspuffers</translation>
+    </message>
+    <message>
+        <source>UART error: send buffer overrun</source>
+        <translation>UART-Fehler: Überlauf des Sendepuffers</translation>
+    </message>
+    <message>
+        <source>Link back</source>
+        <translation>Verbindung wieder da</translation>
+    </message>
+    <message>
+        <source>Link lost: %1</source>
+        <translation>Verbindung verloren: %1</translation>
+    </message>
+    <message>
+        <source>Factory reset</source>
+        <translation>Auf Werkseinstellungen gesetzt</translation>
+    </message>
+    <message>
+        <source>%1 (not read back)</source>
+        <translation>%1 (nicht zurückgelesen)</translation>
+    </message>
+</context>
+<context>
+    <name>trex::MeasurementModel</name>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektiv</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Charge</source>
+        <translation>Ladung</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Messwerte</translation>
+    </message>
+</context>
+<context>
+    <name>trex::MeasurementView</name>
+    <message>
+        <source>Times of the cursors</source>
+        <translation>Zeiten der Cursor</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Werte an den Cursorn</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the table, for a spreadsheet</source>
+        <translation>Die Tabelle kopieren, für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Remove the cursors</source>
+        <translation>Cursor entfernen</translation>
+    </message>
+</context>
+<context>
     <name>trex::MotorRow</name>
     <message>
         <source>%1 speed</source>
@@ -5688,6 +8036,14 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>brake %1</source>
         <translation>Bremse %1</translation>
+    </message>
+    <message>
+        <source>%1 reverse while held</source>
+        <translation>%1 rückwärts, solange gehalten</translation>
+    </message>
+    <message>
+        <source>%1 forward while held</source>
+        <translation>%1 vorwärts, solange gehalten</translation>
     </message>
 </context>
 <context>
@@ -5759,6 +8115,66 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>Set acts at once and overrides current limiting for the moment.</source>
         <translation>Setzen wirkt sofort und übergeht vorübergehend die Strombegrenzung.</translation>
+    </message>
+    <message>
+        <source>Hold to run</source>
+        <translation>Nur gehalten fahren</translation>
+    </message>
+    <message>
+        <source>Motors run only while a control is held</source>
+        <translation>Motoren laufen nur, solange ein Bedienelement gehalten wird</translation>
+    </message>
+    <message>
+        <source>A slider springs to zero when it is let go, loses the focus, or its window goes behind another.</source>
+        <translation>Ein Schieber springt auf null, wenn er losgelassen wird, den Fokus verliert oder sein Fenster hinter ein anderes gerät.</translation>
+    </message>
+    <message>
+        <source>Drive pad</source>
+        <translation>Fahrfeld</translation>
+    </message>
+    <message>
+        <source>Show the drive pad</source>
+        <translation>Fahrfeld anzeigen</translation>
+    </message>
+    <message>
+        <source>Drives both motors like one stick, in place of their sliders.</source>
+        <translation>Fährt beide Motoren wie mit einem Knüppel, anstelle ihrer Schieber.</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>More about the motors</source>
+        <translation>Mehr zu den Motoren</translation>
+    </message>
+    <message>
+        <source>Safety and limits…</source>
+        <translation>Sicherheit und Grenzen…</translation>
+    </message>
+    <message>
+        <source>Watchdog proof…</source>
+        <translation>Nachweis der Zeitüberwachung…</translation>
+    </message>
+    <message>
+        <source>Drive pad: hold and pull, or hold the arrow keys</source>
+        <translation>Fahrfeld: halten und ziehen, oder die Pfeiltasten halten</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>Sliders</source>
+        <translation>Schieber</translation>
+    </message>
+    <message>
+        <source>%1: hold a shoulder button and pull the left stick.</source>
+        <translation>%1: Schultertaste halten und den linken Stick bewegen.</translation>
+    </message>
+    <message>
+        <source>Of the recording: the sliders show what was sent then.</source>
+        <translation>Aus der Aufzeichnung: Die Regler zeigen, was damals gesendet wurde.</translation>
     </message>
 </context>
 <context>
@@ -5848,7 +8264,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>Nichts wurde gesendet: Bytes hexadezimal angeben, etwa 86 1F.</translation>
     </message>
     <message>
-        <source>Nothing was sent: "%1" is not bytes in hex, such as 86 1F.</source>
+        <source>Nothing was sent: &quot;%1&quot; is not bytes in hex, such as 86 1F.</source>
         <translation>Nichts wurde gesendet: „%1“ sind keine hexadezimalen Bytes, etwa 86 1F.</translation>
     </message>
     <message>
@@ -5992,7 +8408,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
 <context>
     <name>trex::ParameterModel</name>
     <message>
-        <source>Stored, but not in force before the controller's power is switched off and on.</source>
+        <source>Stored, but not in force before the controller&apos;s power is switched off and on.</source>
         <translation>Gespeichert, gilt aber erst nach dem Aus- und Einschalten des Controllers.</translation>
     </message>
     <message>
@@ -6114,7 +8530,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>Die Verbindung ist verloren: Werte sind unbekannt, bis sie wieder da ist. Änderungen bleiben erhalten.</translation>
     </message>
     <message>
-        <source>Not connected. Connect to read the controller's parameters.</source>
+        <source>Not connected. Connect to read the controller&apos;s parameters.</source>
         <translation>Nicht verbunden. Verbinden, um die Parameter des Controllers zu lesen.</translation>
     </message>
     <message>
@@ -6162,7 +8578,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>Von den Werten, die sich ändern würden, sind %1 mit ≈ markiert: Der Hersteller gibt sie nicht an, sie sind vermutet.</translation>
     </message>
     <message>
-        <source>Save the controller's settings</source>
+        <source>Save the controller&apos;s settings</source>
         <translation>Einstellungen des Controllers speichern</translation>
     </message>
     <message>
@@ -6298,10 +8714,6 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>Zurückschreiben oder behalten?</translation>
     </message>
     <message>
-        <source>The file is of a controller %1, this one is %2: amperes and frequencies may mean other things.</source>
-        <translation>Die Datei stammt von einem Controller %1, dieser ist %2: Ampere und Frequenzen können anderes bedeuten.</translation>
-    </message>
-    <message>
         <source>Nothing is reset. %1</source>
         <translation>Nichts wird zurückgesetzt. %1</translation>
     </message>
@@ -6358,7 +8770,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>Kein Parameter gefunden. Die Suche leeren, um alle zu sehen.</translation>
     </message>
     <message>
-        <source>No parameter is found: "%1" is chosen beside the search.</source>
+        <source>No parameter is found: &quot;%1&quot; is chosen beside the search.</source>
         <translation>Kein Parameter gefunden: Neben der Suche ist „%1“ gewählt.</translation>
     </message>
     <message>
@@ -6397,12 +8809,371 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <source>&amp;Journal of writes…</source>
         <translation>&amp;Journal der Schreibvorgänge …</translation>
     </message>
+    <message>
+        <source>These are the settings as they were read during the recording; they cannot be changed here. Save them to a file, and load that file into a controller.</source>
+        <translation>Dies sind die Einstellungen, wie sie während der Aufzeichnung gelesen wurden; hier können sie nicht geändert werden. Sichern Sie sie in eine Datei, und laden Sie diese in einen Controller.</translation>
+    </message>
 </context>
 <context>
-    <name>trex::PlotView</name>
+    <name>trex::PlayBar</name>
     <message>
-        <source>Arrow keys pan, plus and minus zoom, with Ctrl the values; Home shows the start, End follows the newest, F shows everything, P pauses.</source>
-        <translation>Pfeiltasten verschieben, Plus und Minus zoomen, mit Strg die Werte; Pos1 zeigt den Anfang, Ende folgt dem Neuesten, F zeigt alles, P pausiert.</translation>
+        <source>Speed of play</source>
+        <translation>Wiedergabegeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Time at the playhead</source>
+        <translation>Zeit an der Abspielmarke</translation>
+    </message>
+    <message>
+        <source>Date and time at the playhead</source>
+        <translation>Datum und Uhrzeit an der Abspielmarke</translation>
+    </message>
+    <message>
+        <source>The whole recording and the playhead</source>
+        <translation>Die ganze Aufzeichnung und die Abspielmarke</translation>
+    </message>
+    <message>
+        <source>Previous &amp;event</source>
+        <translation>Voriges &amp;Ereignis</translation>
+    </message>
+    <message>
+        <source>Sample &amp;back</source>
+        <translation>Einen Messwert &amp;zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Sample &amp;forward</source>
+        <translation>Einen Messwert &amp;vor</translation>
+    </message>
+    <message>
+        <source>&amp;Next event</source>
+        <translation>&amp;Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played</source>
+        <translation>Wie schnell die Aufzeichnung wiedergegeben wird</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>loading, %1 %</source>
+        <translation>wird geladen, %1 %</translation>
+    </message>
+    <message>
+        <source>armed then</source>
+        <translation>damals scharf</translation>
+    </message>
+    <message>
+        <source>disarmed then</source>
+        <translation>damals nicht scharf</translation>
+    </message>
+</context>
+<context>
+    <name>trex::PlotPane</name>
+    <message>
+        <source>Add curves, move or remove this plot</source>
+        <translation>Kurven hinzufügen, dieses Diagramm verschieben oder entfernen</translation>
+    </message>
+    <message>
+        <source>Plot %1 of %2</source>
+        <translation>Diagramm %1 von %2</translation>
+    </message>
+    <message>
+        <source>Plot %1: menu</source>
+        <translation>Diagramm %1: Menü</translation>
+    </message>
+    <message>
+        <source>No curves. Drag one in here, or add one from the menu.</source>
+        <translation>Keine Kurven. Ziehen Sie eine hierher, oder fügen Sie eine aus dem Menü hinzu.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::PlotStack</name>
+    <message>
+        <source>Shown</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>plain number</source>
+        <translation>reine Zahl</translation>
+    </message>
+    <message>
+        <source>Move to</source>
+        <translation>Verschieben nach</translation>
+    </message>
+    <message>
+        <source>A new plot</source>
+        <translation>Ein neues Diagramm</translation>
+    </message>
+    <message>
+        <source>Remove from this plot</source>
+        <translation>Aus diesem Diagramm entfernen</translation>
+    </message>
+    <message>
+        <source>Add a curve</source>
+        <translation>Kurve hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Higher</source>
+        <translation>Höher</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Niedriger</translation>
+    </message>
+    <message>
+        <source>New plot</source>
+        <translation>Neues Diagramm</translation>
+    </message>
+    <message>
+        <source>Remove this plot</source>
+        <translation>Dieses Diagramm entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>trex::PlotsPanel</name>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Frozen view %1</source>
+        <translation>Eingefrorene Ansicht %1</translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation>30 s</translation>
+    </message>
+    <message>
+        <source>1 min</source>
+        <translation>1 min</translation>
+    </message>
+    <message>
+        <source>5 min</source>
+        <translation>5 min</translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation>30 min</translation>
+    </message>
+    <message>
+        <source>1 h</source>
+        <translation>1 h</translation>
+    </message>
+    <message>
+        <source>whole session</source>
+        <translation>ganze Sitzung</translation>
+    </message>
+    <message>
+        <source>View before</source>
+        <translation>Vorige Ansicht</translation>
+    </message>
+    <message>
+        <source>Back to the view before (Alt+Left in a plot)</source>
+        <translation>Zurück zur vorigen Ansicht (Alt+Links in einem Diagramm)</translation>
+    </message>
+    <message>
+        <source>View after</source>
+        <translation>Nächste Ansicht</translation>
+    </message>
+    <message>
+        <source>Forward again (Alt+Right in a plot)</source>
+        <translation>Wieder vor (Alt+Rechts in einem Diagramm)</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Closer in time (+ or the wheel; with Ctrl the values)</source>
+        <translation>Näher in der Zeit (+ oder Mausrad; mit Strg die Werte)</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>More time (− or the wheel; with Ctrl the values)</source>
+        <translation>Mehr Zeit (− oder Mausrad; mit Strg die Werte)</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Show everything recorded in this session (F)</source>
+        <translation>Alles zeigen, was in dieser Sitzung aufgenommen wurde (F)</translation>
+    </message>
+    <message>
+        <source>Drag to pan</source>
+        <translation>Ziehen verschiebt</translation>
+    </message>
+    <message>
+        <source>Dragging moves the picture instead of zooming into a box</source>
+        <translation>Ziehen verschiebt das Bild, statt in einen Rahmen zu zoomen</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>Gezeigte Zeit</translation>
+    </message>
+    <message>
+        <source>How much time the plots show</source>
+        <translation>Wie viel Zeit die Diagramme zeigen</translation>
+    </message>
+    <message>
+        <source>Hold the picture still; recording goes on behind</source>
+        <translation>Das Bild anhalten; die Aufzeichnung läuft weiter</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Two cursors to measure with (1 and 2 in a plot)</source>
+        <translation>Zwei Cursor zum Messen (1 und 2 in einem Diagramm)</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Catch the moment a curve crosses a level</source>
+        <translation>Den Moment festhalten, in dem eine Kurve einen Pegel überschreitet</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Listen</translation>
+    </message>
+    <message>
+        <source>Curves to add, events, runs to compare with</source>
+        <translation>Kurven zum Hinzufügen, Ereignisse, Läufe zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>Add a plot, or put them as they were at first</source>
+        <translation>Ein Diagramm hinzufügen, oder alle wie am Anfang</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Save samples as CSV, or the picture as PNG or SVG</source>
+        <translation>Messwerte als CSV speichern, oder das Bild als PNG oder SVG</translation>
+    </message>
+    <message>
+        <source>New plot</source>
+        <translation>Neues Diagramm</translation>
+    </message>
+    <message>
+        <source>As at first</source>
+        <translation>Wie am Anfang</translation>
+    </message>
+    <message>
+        <source>All samples or picture…</source>
+        <translation>Alle Messwerte oder Bild …</translation>
+    </message>
+    <message>
+        <source>Visible part…</source>
+        <translation>Sichtbarer Teil …</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy visible samples</source>
+        <translation>Sichtbare Messwerte kopieren</translation>
+    </message>
+    <message>
+        <source>Click to add to the plot used last, or drag into a plot.</source>
+        <translation>Klicken fügt dem zuletzt benutzten Diagramm hinzu; oder in ein Diagramm ziehen.</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Export the visible part</source>
+        <translation>Sichtbaren Teil exportieren</translation>
+    </message>
+    <message>
+        <source>Samples as CSV (*.csv);;Picture as PNG (*.png);;Picture as SVG (*.svg)</source>
+        <translation>Messwerte als CSV (*.csv);;Bild als PNG (*.png);;Bild als SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>Plots saved as %1.</source>
+        <translation>Diagramme als %1 gespeichert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) of samples exported to %1.</source>
+        <translation>
+            <numerusform>%n Zeile Messwerte nach %1 exportiert.</numerusform>
+            <numerusform>%n Zeilen Messwerte nach %1 exportiert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The picture of the plots was copied.</source>
+        <translation>Das Bild der Diagramme wurde kopiert.</translation>
+    </message>
+    <message>
+        <source>Too much for the clipboard: export the visible part to a file.</source>
+        <translation>Zu viel für die Zwischenablage: Exportieren Sie den sichtbaren Teil in eine Datei.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) of samples copied.</source>
+        <translation>
+            <numerusform>%n Zeile Messwerte kopiert.</numerusform>
+            <numerusform>%n Zeilen Messwerte kopiert.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6422,6 +9193,10 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <source>The demonstration wrote to %1:</source>
         <translation>Die Vorführung schrieb nach %1:</translation>
     </message>
+    <message>
+        <source>The memory for the history of this session (%1 MiB) is full. From now on its oldest part is only in a recording, if one runs.</source>
+        <translation>Der Speicher für den Verlauf dieser Sitzung (%1 MiB) ist voll. Von jetzt an steht der älteste Teil nur noch in einer Aufzeichnung, falls eine läuft.</translation>
+    </message>
 </context>
 <context>
     <name>trex::RawSpinBox</name>
@@ -6430,12 +9205,260 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>%1: %2 liegt außerhalb des Speicherbaren, %3; der Wert bleibt, wie er war.</translation>
     </message>
     <message>
-        <source>%1: "%2" is no number that can be stored, %3; the value stays as it was.</source>
+        <source>%1: &quot;%2&quot; is no number that can be stored, %3; the value stays as it was.</source>
         <translation>%1: „%2“ ist keine speicherbare Zahl, %3; der Wert bleibt, wie er war.</translation>
     </message>
     <message>
         <source>%1 has its top bit clear. The top bit of the polynomial is always 1 and is not stored, so %1 is taken as what is stored: the polynomial in full is %2.</source>
         <translation>Bei %1 ist das oberste Bit gelöscht. Das oberste Bit des Polynoms ist immer 1 und wird nicht gespeichert, daher gilt %1 als das Gespeicherte: Das vollständige Polynom ist %2.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::RecordingActions</name>
+    <message>
+        <source>Recordings (*.trexrec);;All files (*)</source>
+        <translation>Aufzeichnungen (*.trexrec);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>Auf&amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Record to a &amp;file…</source>
+        <translation>In eine &amp;Datei aufzeichnen…</translation>
+    </message>
+    <message>
+        <source>Record to a file</source>
+        <translation>In eine Datei aufzeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the last minutes</source>
+        <translation>Die letzten &amp;Minuten behalten</translation>
+    </message>
+    <message>
+        <source>Writes what was seen in the last minutes to a file of its own, now.</source>
+        <translation>Schreibt jetzt in eine eigene Datei, was in den letzten Minuten zu sehen war.</translation>
+    </message>
+    <message>
+        <source>&amp;Open recording…</source>
+        <translation>Aufzeichnung ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with recording…</source>
+        <translation>Mit Aufzeichnung &amp;vergleichen…</translation>
+    </message>
+    <message>
+        <source>Draws another recording behind the curves of the plots.</source>
+        <translation>Zeichnet eine andere Aufzeichnung hinter die Kurven der Diagramme.</translation>
+    </message>
+    <message>
+        <source>Compare with a recording</source>
+        <translation>Mit einer Aufzeichnung vergleichen</translation>
+    </message>
+    <message>
+        <source>Show the folder of &amp;recordings</source>
+        <translation>O&amp;rdner der Aufzeichnungen zeigen</translation>
+    </message>
+    <message>
+        <source>Record every &amp;packet, too</source>
+        <translation>Auch jedes &amp;Paket aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Keep the last minutes at a fault, a stop or a lost &amp;link</source>
+        <translation>Die letzten Minuten bei Störung, Stopp oder Verbindungsver&amp;lust behalten</translation>
+    </message>
+    <message>
+        <source>The flight recorder: %1</source>
+        <translation>Der Flugschreiber: %1</translation>
+    </message>
+    <message>
+        <source>F&amp;older for recordings…</source>
+        <translation>&amp;Ordner für Aufzeichnungen…</translation>
+    </message>
+    <message>
+        <source>Folder for the last &amp;minutes…</source>
+        <translation>Ordner für die letzten &amp;Minuten…</translation>
+    </message>
+    <message>
+        <source>End &amp;recording</source>
+        <translation>Aufzeichnung &amp;beenden</translation>
+    </message>
+    <message>
+        <source>Ends the recording %1.</source>
+        <translation>Beendet die Aufzeichnung %1.</translation>
+    </message>
+    <message>
+        <source>Records everything from now on to a file in %1.</source>
+        <translation>Zeichnet ab jetzt alles in eine Datei in %1 auf.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::RecordingFiles</name>
+    <message>
+        <source>Compared with %1: its curves lie behind those of the plots.</source>
+        <translation>Verglichen mit %1: Die Kurven liegen hinter denen der Diagramme.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::RecordingLamp</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>recording %1 · %2</source>
+        <translation>Aufzeichnung %1 · %2</translation>
+    </message>
+    <message>
+        <source>recording ended: the file could not be written</source>
+        <translation>Aufzeichnung beendet: Die Datei ließ sich nicht schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>trex::RecordingTimeline</name>
+    <message>
+        <source>Drag to move the playhead. Keys: Left, Right, Home, End.</source>
+        <translation>Ziehen bewegt die Abspielmarke. Tasten: Links, Rechts, Pos1, Ende.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::RecordingWindow</name>
+    <message>
+        <source>Recording of %1 – %2</source>
+        <translation>Aufzeichnung vom %1 – %2</translation>
+    </message>
+    <message>
+        <source>an unknown date</source>
+        <translation>unbekannten Datum</translation>
+    </message>
+    <message>
+        <source>Recording of %1</source>
+        <translation>Aufzeichnung vom %1</translation>
+    </message>
+    <message>
+        <source>This window shows a recording</source>
+        <translation>Dieses Fenster zeigt eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>not live: nothing here reaches a controller</source>
+        <translation>nicht live: Nichts von hier erreicht einen Controller</translation>
+    </message>
+    <message>
+        <source>Stop all motors</source>
+        <translation>Alle Motoren anhalten</translation>
+    </message>
+    <message>
+        <source>Stops the motors of the controller that is connected now.</source>
+        <translation>Hält die Motoren des Controllers an, der jetzt verbunden ist.</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open recording…</source>
+        <translation>Aufzeichnung ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with recording…</source>
+        <translation>Mit Aufzeichnung &amp;vergleichen…</translation>
+    </message>
+    <message>
+        <source>Compare with a recording</source>
+        <translation>Mit einer Aufzeichnung vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Export all samples…</source>
+        <translation>Alle Messwerte &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Export all samples</source>
+        <translation>Alle Messwerte exportieren</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Put all panels back</source>
+        <translation>Alle Bereiche zurücksetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) exported to %1.</source>
+        <translation>
+            <numerusform>%n Zeile nach %1 exportiert.</numerusform>
+            <numerusform>%n Zeilen nach %1 exportiert.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>trex::Recordings</name>
+    <message>
+        <source>there was a fault</source>
+        <translation>es gab eine Störung</translation>
+    </message>
+    <message>
+        <source>the motors were stopped while armed</source>
+        <translation>die Motoren wurden angehalten, während sie scharf waren</translation>
+    </message>
+    <message>
+        <source>the link was lost</source>
+        <translation>die Verbindung ging verloren</translation>
+    </message>
+    <message>
+        <source>Recording to %1.</source>
+        <translation>Aufzeichnung nach %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording ended: %n sample(s) in %1.</source>
+        <translation>
+            <numerusform>Aufzeichnung beendet: %n Messwert in %1.</numerusform>
+            <numerusform>Aufzeichnung beendet: %n Messwerte in %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The recording has ended: %1 The file keeps what was written before.</source>
+        <translation>Die Aufzeichnung ist beendet: %1 Die Datei behält, was vorher geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>The last minutes could not be kept: %1</source>
+        <translation>Die letzten Minuten konnten nicht behalten werden: %1</translation>
+    </message>
+    <message>
+        <source>The last minutes are kept in %1.</source>
+        <translation>Die letzten Minuten liegen in %1.</translation>
+    </message>
+    <message>
+        <source>The last minutes are kept in %1: %2.</source>
+        <translation>Die letzten Minuten liegen in %1: %2.</translation>
     </message>
 </context>
 <context>
@@ -6486,6 +9509,184 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
 </context>
 <context>
+    <name>trex::RestartWatch</name>
+    <message>
+        <source>a reply was missing, and motor %1 draws no current any more although its order stands</source>
+        <translation>eine Antwort fehlte, und Motor %1 zieht keinen Strom mehr, obwohl sein Befehl gilt</translation>
+    </message>
+</context>
+<context>
+    <name>trex::SafetyDialog</name>
+    <message>
+        <source>Safety and limits</source>
+        <translation>Sicherheit und Grenzen</translation>
+    </message>
+    <message>
+        <source>Safety and limits of the motors</source>
+        <translation>Sicherheit und Grenzen der Motoren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Stop and disarm by itself</source>
+        <translation>Von selbst anhalten und sichern</translation>
+    </message>
+    <message>
+        <source>Always: a lost link, a restarted controller, disconnecting, quitting, a crash or standstill of this program. Also:</source>
+        <translation>Immer: verlorene Verbindung, Neustart der Steuerung, Trennen, Beenden, Absturz oder Stillstand dieses Programms. Außerdem:</translation>
+    </message>
+    <message>
+        <source>A motor driver&apos;s fault</source>
+        <translation>Fehler eines Motortreibers</translation>
+    </message>
+    <message>
+        <source>Status bits 4 and 6: short circuit, heat, too low a supply.</source>
+        <translation>Statusbits 4 und 6: Kurzschluss, Hitze, zu niedrige Versorgung.</translation>
+    </message>
+    <message>
+        <source>Over-current</source>
+        <translation>Überstrom</translation>
+    </message>
+    <message>
+        <source>Status bits 5 and 7. A current limit that does its work lights them, too.</source>
+        <translation>Statusbits 5 und 7. Auch eine Strombegrenzung, die arbeitet, setzt sie.</translation>
+    </message>
+    <message>
+        <source>An error on the line</source>
+        <translation>Ein Fehler auf der Leitung</translation>
+    </message>
+    <message>
+        <source>Any bit of the UART error byte but the timeout.</source>
+        <translation>Jedes Bit des UART-Fehlerbytes außer der Zeitüberschreitung.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s serial timeout</source>
+        <translation>Die serielle Zeitüberwachung der Steuerung</translation>
+    </message>
+    <message>
+        <source>It has stopped the motors by itself; the next order would start them again.</source>
+        <translation>Sie hat die Motoren selbst angehalten; der nächste Befehl würde sie wieder starten.</translation>
+    </message>
+    <message>
+        <source>Screen locked, computer to sleep</source>
+        <translation>Bildschirm gesperrt, Rechner im Ruhezustand</translation>
+    </message>
+    <message>
+        <source>As the desktop tells it, where it does.</source>
+        <translation>Wie es der Desktop meldet, wo er es tut.</translation>
+    </message>
+    <message>
+        <source>All windows hidden or minimised</source>
+        <translation>Alle Fenster verborgen oder minimiert</translation>
+    </message>
+    <message>
+        <source>STOP would be out of reach.</source>
+        <translation>STOPP wäre außer Reichweite.</translation>
+    </message>
+    <message>
+        <source>Idle time</source>
+        <translation>Leerlaufzeit</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>All motors at zero, and no order given for so long. A motor that runs is not idle.</source>
+        <translation>Alle Motoren auf null und so lange kein Befehl. Ein laufender Motor ist nicht im Leerlauf.</translation>
+    </message>
+    <message>
+        <source>No order for</source>
+        <translation>Kein Befehl seit</translation>
+    </message>
+    <message>
+        <source>Limits and ramps</source>
+        <translation>Grenzen und Rampen</translation>
+    </message>
+    <message>
+        <source> of 127</source>
+        <translation> von 127</translation>
+    </message>
+    <message>
+        <source>Motor 1 at most</source>
+        <translation>Motor 1 höchstens</translation>
+    </message>
+    <message>
+        <source>Motor 2 at most</source>
+        <translation>Motor 2 höchstens</translation>
+    </message>
+    <message>
+        <source>Auxiliary at most</source>
+        <translation>Hilfsmotor höchstens</translation>
+    </message>
+    <message>
+        <source>Slider step at most</source>
+        <translation>Schieberschritt höchstens</translation>
+    </message>
+    <message>
+        <source> a second</source>
+        <translation> je Sekunde</translation>
+    </message>
+    <message>
+        <source>Soft start</source>
+        <translation>Sanfter Anlauf</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>Soft stop</source>
+        <translation>Sanfter Auslauf</translation>
+    </message>
+    <message>
+        <source>Speed steps a second, for orders that are set at once. Accelerate is the controller&apos;s own. STOP never ramps.</source>
+        <translation>Geschwindigkeitsstufen je Sekunde, für sofort gesetzte Befehle. Beschleunigen ist Sache der Steuerung. STOPP hat nie eine Rampe.</translation>
+    </message>
+    <message>
+        <source>Stall guard, current</source>
+        <translation>Blockierschutz, Strom</translation>
+    </message>
+    <message>
+        <source> A</source>
+        <translation> A</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>As much for as long: all motors are led to zero, then disarmed. In joint mode the controller reports no current, and nothing is guarded.</source>
+        <translation>So viel für so lange: Alle Motoren werden auf null geführt, dann gesichert. Im gemeinsamen Betrieb meldet die Steuerung keinen Strom, und nichts ist geschützt.</translation>
+    </message>
+    <message>
+        <source>Stall guard from</source>
+        <translation>Blockierschutz ab</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>für</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Hold to run</source>
+        <translation>Nur gehalten fahren</translation>
+    </message>
+    <message>
+        <source>Speed of keys and buttons</source>
+        <translation>Geschwindigkeit von Tasten und Knöpfen</translation>
+    </message>
+</context>
+<context>
     <name>trex::Scan</name>
     <message>
         <source>Trying %1 baud, error detection %2</source>
@@ -6498,6 +9699,25 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
 </context>
 <context>
+    <name>trex::SerialTimeoutWatch</name>
+    <message>
+        <source>The controller&apos;s serial timeout could not be read (%1). Whether the motors would stop if this program died is not known.</source>
+        <translation>Die serielle Zeitüberwachung der Steuerung ließ sich nicht lesen (%1). Ob die Motoren anhielten, wenn dieses Programm ausfiele, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s serial timeout is off: if this program, its computer or the cable fails, the motors run on.</source>
+        <translation>Die serielle Zeitüberwachung der Steuerung ist aus: Fallen dieses Programm, sein Rechner oder das Kabel aus, laufen die Motoren weiter.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s serial timeout is %1 ms now: the motors stop when nothing is heard from here for so long.</source>
+        <translation>Die serielle Zeitüberwachung der Steuerung ist jetzt %1 ms: Die Motoren halten an, wenn von hier so lange nichts zu hören ist.</translation>
+    </message>
+    <message>
+        <source>The serial timeout was not set: %1</source>
+        <translation>Die serielle Zeitüberwachung wurde nicht gesetzt: %1</translation>
+    </message>
+</context>
+<context>
     <name>trex::SessionRecorder</name>
     <message numerus="yes">
         <source>The disk was too slow: %n events or packets were left out so far.</source>
@@ -6505,6 +9725,13 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
             <numerusform>Der Datenträger war zu langsam: %n Ereignis oder Paket wurde bisher ausgelassen.</numerusform>
             <numerusform>Der Datenträger war zu langsam: %n Ereignisse oder Pakete wurden bisher ausgelassen.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>trex::SessionWatch</name>
+    <message>
+        <source>The motors are stopped before the computer sleeps.</source>
+        <translation>Die Motoren werden angehalten, bevor der Rechner schläft.</translation>
     </message>
 </context>
 <context>
@@ -6614,7 +9841,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>Zähler der gesehenen Bits löschen</translation>
     </message>
     <message>
-        <source>Forgets how often each bit was seen. The controller's own bits are cleared by every read.</source>
+        <source>Forgets how often each bit was seen. The controller&apos;s own bits are cleared by every read.</source>
         <translation>Vergisst, wie oft jedes Bit gesehen wurde. Die Bits im Controller selbst löscht jedes Lesen.</translation>
     </message>
     <message>
@@ -6669,6 +9896,246 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
 </context>
 <context>
+    <name>trex::TimeoutBanner</name>
+    <message>
+        <source>Serial timeout</source>
+        <translation>Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>Serial timeout off: if this program or its line fails, the motors run on.</source>
+        <translation>Serielle Zeitüberwachung aus: Fällt dieses Programm oder seine Leitung aus, laufen die Motoren weiter.</translation>
+    </message>
+    <message>
+        <source>Set %1 ms</source>
+        <translation>%1 ms setzen</translation>
+    </message>
+    <message>
+        <source>Set the serial timeout to %1 ms</source>
+        <translation>Serielle Zeitüberwachung auf %1 ms setzen</translation>
+    </message>
+    <message>
+        <source>Writes the parameter and reads it back. The motors then stop when the controller has heard nothing for so long; while it is armed, this program sees to it that it always hears something.</source>
+        <translation>Schreibt den Parameter und liest ihn zurück. Die Motoren halten dann an, wenn die Steuerung so lange nichts gehört hat; solange scharf geschaltet ist, sorgt dieses Programm dafür, dass sie immer etwas hört.</translation>
+    </message>
+    <message>
+        <source>Settings can be written in serial mode only (mode jumper off).</source>
+        <translation>Einstellungen lassen sich nur im seriellen Betrieb schreiben (ohne Betriebsart-Brücke).</translation>
+    </message>
+</context>
+<context>
+    <name>trex::TriggerBar</name>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Trigger source</source>
+        <translation>Triggerquelle</translation>
+    </message>
+    <message>
+        <source>Trigger edge</source>
+        <translation>Triggerflanke</translation>
+    </message>
+    <message>
+        <source>Trigger level</source>
+        <translation>Triggerpegel</translation>
+    </message>
+    <message>
+        <source>Trigger mode</source>
+        <translation>Triggerart</translation>
+    </message>
+    <message>
+        <source>Shown before the trigger</source>
+        <translation>Vor dem Trigger gezeigt</translation>
+    </message>
+    <message>
+        <source>Wait again</source>
+        <translation>Neu warten</translation>
+    </message>
+    <message>
+        <source>Trigger state</source>
+        <translation>Zustand des Triggers</translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation>steigend</translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>both ways</source>
+        <translation>beide Richtungen</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Einmal</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Single: the first crossing is held. Normal: each crossing replaces the one before. Auto: as Normal, but the picture moves on while none comes.</source>
+        <translation>Einmal: Das erste Überschreiten wird festgehalten. Normal: Jedes Überschreiten ersetzt das vorige. Automatisch: wie Normal, aber das Bild läuft weiter, solange keines kommt.</translation>
+    </message>
+    <message>
+        <source>The level; its line in the plot can be dragged</source>
+        <translation>Der Pegel; seine Linie im Diagramm lässt sich ziehen</translation>
+    </message>
+    <message>
+        <source>How much of the window lies before the crossing</source>
+        <translation>Wie viel des Fensters vor dem Überschreiten liegt</translation>
+    </message>
+    <message>
+        <source>Forget what was caught and wait for the next crossing</source>
+        <translation>Das Festgehaltene vergessen und auf das nächste Überschreiten warten</translation>
+    </message>
+    <message>
+        <source>Waiting, running freely</source>
+        <translation>Wartet, läuft frei</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>Ausgelöst</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Festgehalten</translation>
+    </message>
+</context>
+<context>
+    <name>trex::WatchdogDialog</name>
+    <message>
+        <source>Watchdog proof</source>
+        <translation>Nachweis der Zeitüberwachung</translation>
+    </message>
+    <message>
+        <source>Does the controller stop when it hears nothing?</source>
+        <translation>Hält die Steuerung an, wenn sie nichts hört?</translation>
+    </message>
+    <message>
+        <source>What will happen</source>
+        <translation>Was geschehen wird</translation>
+    </message>
+    <message>
+        <source>Motor for the proof</source>
+        <translation>Motor für den Nachweis</translation>
+    </message>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>Speed for the proof</source>
+        <translation>Geschwindigkeit für den Nachweis</translation>
+    </message>
+    <message>
+        <source> of 127</source>
+        <translation> von 127</translation>
+    </message>
+    <message>
+        <source>Result of the proof</source>
+        <translation>Ergebnis des Nachweises</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Turn the motor and prove</source>
+        <translation>Motor drehen und nachweisen</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The motor turns slowly; then this program sends nothing on purpose, and looks afterwards whether the motor has stopped and the timeout is latched. Esc stops at any time, and the proof ends in a stop.</source>
+        <translation>Der Motor dreht langsam; dann sendet dieses Programm absichtlich nichts und sieht danach nach, ob der Motor steht und die Zeitüberschreitung vermerkt ist. Esc hält jederzeit an, und der Nachweis endet mit einem Stopp.</translation>
+    </message>
+    <message>
+        <source>Not connected.</source>
+        <translation>Nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>The serial timeout is off or not known: set it first.</source>
+        <translation>Die serielle Zeitüberwachung ist aus oder nicht bekannt: Setzen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>Serial timeout: %1 ms. It takes %2 s at most.</source>
+        <translation>Serielle Zeitüberwachung: %1 ms. Es dauert höchstens %2 s.</translation>
+    </message>
+    <message>
+        <source>Arm the motors to start it.</source>
+        <translation>Zum Starten die Motoren scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Ended before it was done; all motors were told to stop.</source>
+        <translation>Vorzeitig beendet; alle Motoren haben den Stopp bekommen.</translation>
+    </message>
+</context>
+<context>
+    <name>trex::WatchdogProof</name>
+    <message>
+        <source>the serial timeout is off</source>
+        <translation>die serielle Zeitüberwachung ist aus</translation>
+    </message>
+    <message>
+        <source>The motor turns; then nothing is sent for %1 ms.</source>
+        <translation>Der Motor dreht; dann wird %1 ms lang nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>the motor still ran after %1 ms of silence</source>
+        <translation>der Motor lief nach %1 ms Stille noch</translation>
+    </message>
+    <message>
+        <source>the motor had stopped after %1 ms already</source>
+        <translation>der Motor stand schon nach %1 ms</translation>
+    </message>
+    <message>
+        <source>the motor stopped, but no timeout was latched</source>
+        <translation>der Motor hielt an, aber keine Zeitüberschreitung wurde vermerkt</translation>
+    </message>
+    <message>
+        <source>it stopped between %1 and %2 ms of silence</source>
+        <translation>er hielt zwischen %1 und %2 ms Stille an</translation>
+    </message>
+    <message>
+        <source>it did not stop in %1 silences</source>
+        <translation>er hielt in %1 Pausen nicht an</translation>
+    </message>
+    <message>
+        <source>Watchdog proof passed: serial timeout %1 ms, %2.</source>
+        <translation>Nachweis bestanden: serielle Zeitüberwachung %1 ms, %2.</translation>
+    </message>
+    <message>
+        <source>Watchdog proof FAILED: serial timeout %1 ms, %2. The motors may run on when this program or its line fails.</source>
+        <translation>Nachweis NICHT bestanden: serielle Zeitüberwachung %1 ms, %2. Die Motoren laufen womöglich weiter, wenn dieses Programm oder seine Leitung ausfällt.</translation>
+    </message>
+    <message>
+        <source>The current was too small to see it collapse: only the timeout bit was judged.</source>
+        <translation>Der Strom war zu klein, um sein Ende zu sehen: Beurteilt wurde nur das Bit der Zeitüberschreitung.</translation>
+    </message>
+</context>
+<context>
     <name>trex::WhyLine</name>
     <message>
         <source>Connect</source>
@@ -6687,76 +10154,24 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>Sichern</translation>
     </message>
     <message>
-        <source>braking %1 %</source>
-        <translation>bremst %1 %</translation>
-    </message>
-    <message>
-        <source>at zero</source>
-        <translation>auf null</translation>
-    </message>
-    <message>
-        <source>forward %1 %</source>
-        <translation>vorwärts %1 %</translation>
-    </message>
-    <message>
-        <source>reverse %1 %</source>
-        <translation>rückwärts %1 %</translation>
-    </message>
-    <message>
         <source>Why the motors do or do not move</source>
         <translation>Warum die Motoren laufen oder nicht</translation>
     </message>
     <message>
-        <source>Connecting to %1…</source>
-        <translation>Verbindung zu %1 wird aufgebaut…</translation>
+        <source>STOP</source>
+        <translation>STOP</translation>
     </message>
     <message>
-        <source>%1 Trying again.</source>
-        <translation>%1 Neuer Versuch läuft.</translation>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
     </message>
     <message>
-        <source>The link is lost: what the motors do now is not known. Trying again.</source>
-        <translation>Die Verbindung ist verloren: Was die Motoren jetzt tun, ist unbekannt. Neuer Versuch läuft.</translation>
+        <source>Status</source>
+        <translation>Status</translation>
     </message>
     <message>
-        <source>Not connected: connect to a controller, or simulate one.</source>
-        <translation>Nicht verbunden: mit einem Controller verbinden oder einen simulieren.</translation>
-    </message>
-    <message>
-        <source>motor 1 %1, motor 2 %2, auxiliary %3</source>
-        <translation>Motor 1 %1, Motor 2 %2, Hilfsmotor %3</translation>
-    </message>
-    <message>
-        <source>Command pending: the channels control the motors now. It acts at the moment serial takes over.</source>
-        <translation>Befehl wartet: Jetzt steuern die Kanäle die Motoren. Er wirkt, sobald die serielle Übernahme beginnt.</translation>
-    </message>
-    <message>
-        <source>Armed, but the channels control the motors: commands will wait in the controller.</source>
-        <translation>Scharf, aber die Kanäle steuern die Motoren: Befehle warten im Controller.</translation>
-    </message>
-    <message>
-        <source>Driving: %1.</source>
-        <translation>Angetrieben: %1.</translation>
-    </message>
-    <message>
-        <source>Armed: move a slider to drive. Esc stops.</source>
-        <translation>Scharf: zum Fahren einen Schieberegler bewegen. Esc hält an.</translation>
-    </message>
-    <message>
-        <source>Stopped: all motors were told to stop. Arm to drive again.</source>
-        <translation>Gestoppt: Allen Motoren wurde Stopp befohlen. Zum Weiterfahren scharf schalten.</translation>
-    </message>
-    <message>
-        <source>Disarmed. The channels control the motors now.</source>
-        <translation>Gesichert. Jetzt steuern die Kanäle die Motoren.</translation>
-    </message>
-    <message>
-        <source>Disarmed. The controller is in RC or analog mode: its channels control the motors.</source>
-        <translation>Gesichert. Der Controller ist im RC- oder Analogmodus: Seine Kanäle steuern die Motoren.</translation>
-    </message>
-    <message>
-        <source>Disarmed: nothing is sent to the motors. Arm to drive them.</source>
-        <translation>Gesichert: An die Motoren wird nichts gesendet. Zum Antreiben scharf schalten.</translation>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
     </message>
 </context>
 <context>

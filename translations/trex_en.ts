@@ -49,6 +49,43 @@
     </message>
 </context>
 <context>
+    <name>trex::PlotsPanel</name>
+    <message numerus="yes">
+        <source>%n row(s) of samples exported to %1.</source>
+        <translation>
+            <numerusform>%n row of samples exported to %1.</numerusform>
+            <numerusform>%n rows of samples exported to %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) of samples copied.</source>
+        <translation>
+            <numerusform>%n row of samples copied.</numerusform>
+            <numerusform>%n rows of samples copied.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>trex::RecordingWindow</name>
+    <message numerus="yes">
+        <source>%n row(s) exported to %1.</source>
+        <translation>
+            <numerusform>%n row exported to %1.</numerusform>
+            <numerusform>%n rows exported to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>trex::Recordings</name>
+    <message numerus="yes">
+        <source>Recording ended: %n sample(s) in %1.</source>
+        <translation>
+            <numerusform>Recording ended: %n sample in %1.</numerusform>
+            <numerusform>Recording ended: %n samples in %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>trex::SessionRecorder</name>
     <message numerus="yes">
         <source>The disk was too slow: %n events or packets were left out so far.</source>

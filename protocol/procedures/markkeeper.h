@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/session/transaction.h"
 #include "protocol/session/writerecorder.h"
 #include "protocol/telemetry/marktrack.h"
 #include "protocol/telemetry/statuslatch.h"
@@ -11,7 +12,6 @@ namespace trex {
 
 class Controller;
 class DeviceSettings;
-enum class LinkState : std::uint8_t;
 
 /// Writes down what happens to one controller and by the person's hand, as marks beside the
 /// samples. The only place that fills the live MarkTrack. Main thread.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/storage/setting.h"
 #include "widgets/common/panel.h"
 
 #include <QDialog>
@@ -13,9 +14,6 @@ class QFormLayout;
 class QSpinBox;
 
 namespace trex {
-
-template <class T>
-struct Setting;
 
 /// What closes the motor gate by itself, and what the host adds to the motors' motion. Everything
 /// acts at once and is kept. Not modal, with a STOP of its own. GUI thread.
