@@ -125,6 +125,13 @@ QString checkTrue(const QJsonValue& argument)
     return argument.isBool() && argument.toBool() ? QString() : u"only true makes sense"_s;
 }
 
+QString checkWindow(const QJsonValue& argument)
+{
+    return argument == "minimise"_L1 || argument == "restore"_L1
+        ? QString()
+        : u"neither \"minimise\" nor \"restore\""_s;
+}
+
 QString checkScreenshot(const QJsonValue& argument)
 {
     if (QString problem = unknownField(argument, {"object"_L1, "file"_L1, "everyPanel"_L1});
@@ -265,6 +272,17 @@ StepResult runQuit(StepContext& /*context*/, const ScriptStep& /*step*/)
     return {Verdict::Quit, {}};
 }
 
+StepResult runWindow(StepContext& /*context*/, const ScriptStep& step)
+{
+    const QWidgetList windows = QApplication::topLevelWidgets();
+    for (QWidget* window : windows) {
+        if (window->isVisible()) {
+            step.argument == "minimise"_L1 ? window->showMinimized() : window->showNormal();
+        }
+    }
+    return {};
+}
+
 StepResult runScreenshot(StepContext& context, const ScriptStep& step)
 {
     if (step.argument["everyPanel"_L1].toBool()) {
@@ -344,6 +362,7 @@ constexpr std::array kActions{
     ActionRow{"sleepMs", checkSleep, runSleep},
     ActionRow{"repeat", checkRepeat, runRepeat},
     ActionRow{"quit", checkTrue, runQuit},
+    ActionRow{"window", checkWindow, runWindow},
     ActionRow{"screenshot", checkScreenshot, runScreenshot},
     ActionRow{"dialog", checkDialog, runDialog},
     ActionRow{"file", checkFile, runFile},

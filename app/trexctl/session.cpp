@@ -18,7 +18,7 @@ constexpr auto kLongestClose = 3s;
 OpenOptions optionsFor(const Verb& verb, OpenOptions options)
 {
     options.identify = verb.line() == Verb::Line::Identified;
-    options.stopOnClose = false; // a motor command leaves the motor as told, all others as it was
+    options.stopOnClose = verb.stopsOnClose(); // a motor command leaves the motor as told
     options.reconnect = verb.ridesOverLoss();
     return options;
 }

@@ -34,6 +34,8 @@ public:
     /// Runs until session.end() or session.fail().
     /// True: what an interrupted write left unknown in the controller is read back first.
     [[nodiscard]] virtual bool usesSettings() const { return false; }
+    /// True: however it ends, the motors are told to stop. Else they are left as they were.
+    [[nodiscard]] virtual bool stopsOnClose() const { return false; }
     virtual Task run(Session& session) = 0;
     virtual void interrupted(Session& session) { session.end(exitcode::kInterrupted); }
     virtual void powerCycle() { } ///< SIGUSR1; only the simulator takes notice

@@ -40,6 +40,7 @@ constexpr auto kVerbs = std::to_array<VerbRow>({
     {"checkpoint delete", TREX_SET_UP, QT_TRANSLATE_NOOP("Cli", "forget a checkpoint"), makeCheckpointDelete},
     {"motor", TREX_DRIVE, QT_TRANSLATE_NOOP("Cli", "set, accelerate or brake motor 1, 2, both or aux; it keeps running"), makeMotor},
     {"stop", TREX_DRIVE, QT_TRANSLATE_NOOP("Cli", "all three motors to speed 0 now, or 1 and 2 to full brake"), makeStop},
+    {"run", TREX_DRIVE, QT_TRANSLATE_NOOP("Cli", "a bench test: steps, ramps, sines on the motors, with limits that stop it"), makeRun},
     {"raw", TREX_TOOLS, QT_TRANSLATE_NOOP("Cli", "send bytes as given, or framed as a packet"), makeRaw},
     {"simulate", TREX_TOOLS, QT_TRANSLATE_NOOP("Cli", "a simulated controller that other programs can open"), makeSimulate},
 });

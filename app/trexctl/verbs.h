@@ -57,6 +57,8 @@ struct VerbRow {
 // verb_record.cpp, verb_export.cpp
 [[nodiscard]] std::unique_ptr<Verb> makeRecord();
 [[nodiscard]] std::unique_ptr<Verb> makeExport();
+// verb_run.cpp
+[[nodiscard]] std::unique_ptr<Verb> makeRun();
 // verb_simulate.cpp
 [[nodiscard]] std::unique_ptr<Verb> makeSimulate();
 

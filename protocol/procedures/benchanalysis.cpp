@@ -20,6 +20,8 @@ constexpr std::array kEnds{"completed",      "limit",   "not-met",   "no-reading
 
 void judge(BenchResult& result, const BenchProfile& profile)
 {
+    result.expected = {};
+    result.verdict = BenchVerdict::NotJudged;
     const auto found = profile.expect.find(result.key);
     if (found == profile.expect.end()) {
         return;
@@ -91,13 +93,18 @@ BenchOutcome evaluate(const BenchRun& run, bool isDryRun)
         addLine(outcome);
     }
     addMissing(outcome);
-    for (BenchResult& result : outcome.results) {
-        judge(result, outcome.profile);
-    }
+    judge(outcome);
     if (outcome.ending.end == BenchEnd::Completed) {
         bench::propose(outcome);
     }
     return outcome;
+}
+
+void judge(BenchOutcome& outcome)
+{
+    for (BenchResult& result : outcome.results) {
+        judge(result, outcome.profile);
+    }
 }
 
 bool BenchOutcome::hasPassed() const
@@ -107,6 +114,16 @@ bool BenchOutcome::hasPassed() const
                return result.verdict == BenchVerdict::Failed
                    || result.verdict == BenchVerdict::NotMeasured;
            });
+}
+
+BenchVerdict BenchOutcome::verdict() const
+{
+    const bool isJudged = std::ranges::any_of(results, [](const BenchResult& result) {
+        return result.verdict != BenchVerdict::NotJudged;
+    });
+    return !hasPassed() ? BenchVerdict::Failed
+        : isJudged      ? BenchVerdict::Passed
+                        : BenchVerdict::NotJudged;
 }
 
 QString BenchOutcome::verdictText() const
@@ -120,12 +137,12 @@ QString BenchOutcome::verdictText() const
     const int failed = count(BenchVerdict::Failed) + count(BenchVerdict::NotMeasured);
     const int passed = count(BenchVerdict::Passed);
     if (failed > 0) {
-        return Bench::tr("Not passed: %1 of %2 expectations are not met.")
+        return Bench::tr("Not passed: of the expectations, %1 of %2 are not met.")
             .arg(failed)
             .arg(failed + passed);
     }
     return passed == 0 ? Bench::tr("Done. The profile expects nothing of the results.")
-                       : Bench::tr("Passed: all %1 expectations are met.").arg(passed);
+                       : Bench::tr("Passed: every expectation is met (%1).").arg(passed);
 }
 
 Configuration configurationOf(const std::vector<BenchProposal>& proposals,
@@ -191,7 +208,9 @@ QString valueText(const BenchResult& result)
 QString expectedText(const BenchResult& result)
 {
     const auto& [minimum, maximum] = result.expected;
-    const auto number = [](double value) { return QString::number(value); };
+    const auto number = [](double value) {
+        return QString::number(value).replace(u'-', u'\u2212');
+    };
     if (minimum && maximum) {
         return Bench::tr("%1 to %2").arg(number(*minimum), number(*maximum));
     }

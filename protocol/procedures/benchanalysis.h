@@ -59,11 +59,16 @@ struct BenchOutcome {
 
     /// Done to its end, and nothing that was expected has failed or is missing.
     [[nodiscard]] bool hasPassed() const;
+    /// Passed, Failed, or NotJudged: done, but nothing was expected.
+    [[nodiscard]] BenchVerdict verdict() const;
     [[nodiscard]] QString verdictText() const; ///< one sentence
 };
 
 /// `run` has ended.
 [[nodiscard]] BenchOutcome evaluate(const BenchRun& run, bool isDryRun);
+
+/// Anew, after the profile's expectations have changed.
+void judge(BenchOutcome& outcome);
 
 /// The proposals as a configuration with their reasons as comments: a file that the parameters
 /// panel loads and `trexctl config diff` reads.

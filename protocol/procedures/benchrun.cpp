@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedures/benchrun.h"
 
+#include "protocol/codec/replies.h"
 #include "protocol/storage/benchtext.h"
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace {
 using namespace Qt::Literals::StringLiterals;
 
 constexpr double kGrace = 5.0; // s, beyond what the steps take by themselves
-constexpr std::array<std::uint8_t, 2> kFaultBits{0x10, 0x40}; // command documentation, 0x84
-constexpr std::array<std::uint8_t, 2> kOverCurrentBits{0x20, 0x80};
+constexpr std::array kFaultBits{statusbit::kMotor1Fault, statusbit::kMotor2Fault};
+constexpr std::array kOverCurrentBits{statusbit::kMotor1OverCurrent, statusbit::kMotor2OverCurrent};
 
 double toSeconds(Duration duration)
 {

@@ -17,10 +17,38 @@ Instant clockNow()
     return std::chrono::steady_clock::now();
 }
 
+/// The gate sees faults before the run does.
+BenchEnd endOf(DisarmReason reason)
+{
+    switch (reason) {
+    case DisarmReason::MotorFault:
+    case DisarmReason::OverCurrent:
+    case DisarmReason::UartError:
+    case DisarmReason::SerialTimeout:
+    case DisarmReason::Stalled:
+        return BenchEnd::Limit;
+    case DisarmReason::LinkLost:
+        return BenchEnd::LinkLost;
+    default:
+        return BenchEnd::Stopped;
+    }
+}
+
+/// True when the person's motion limits would make other orders of the profile's.
+bool shapes(const MotionLimits& limits, const BenchProfile& profile)
+{
+    bool isLimited = limits.hasRamps();
+    for (const MotorId motor : {MotorId::Motor1, MotorId::Motor2, MotorId::Aux}) {
+        isLimited =
+            isLimited || highestSpeed(profile, motor) > limits.maximum.at(std::size_t(motor));
+    }
+    return isLimited;
+}
+
 } // namespace
 
 BenchTest::BenchTest(Controller& controller, const BenchProfile& profile, QObject* parent)
-    : Procedure(parent), m_controller(controller), m_run(profile, controller.model())
+    : Procedure(parent), m_controller(&controller), m_run(profile, controller.model())
 {
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(BenchRun::kInterval);
@@ -29,10 +57,10 @@ BenchTest::BenchTest(Controller& controller, const BenchProfile& profile, QObjec
 
 BenchTest::~BenchTest()
 {
-    if (isRunning()) {
-        disconnect(&m_controller, nullptr, this, nullptr);
-        m_controller.stop();
-        m_controller.wantNothing(this);
+    if (isRunning() && m_controller) {
+        disconnect(m_controller, nullptr, this, nullptr);
+        m_controller->stop();
+        m_controller->wantNothing(this);
     }
 }
 
@@ -43,24 +71,33 @@ void BenchTest::start()
         finish(sound);
         return;
     }
-    if (const auto armed = m_controller.arm(); !armed) {
+    if (shapes(m_controller->shaper().limits(), m_run.profile())) {
+        // What was measured would not belong to what was told.
+        m_run.end(BenchEnd::Failed,
+                  Bench::tr("the motion limits (highest speed, soft start, soft stop) would change "
+                            "the orders of this test; choose a slower test or lift them"));
+        finish({});
+        return;
+    }
+    if (const auto armed = m_controller->arm(); !armed) {
         finish(armed);
         return;
     }
-    connect(&m_controller, &Controller::recordsArrived, this, &BenchTest::onRecords);
-    connect(&m_controller, &Controller::stateChanged, this, &BenchTest::onState);
-    connect(&m_controller, &Controller::armedChanged, this, [this](bool armed) {
+    connect(m_controller, &Controller::recordsArrived, this, &BenchTest::onRecords);
+    connect(m_controller, &Controller::stateChanged, this, &BenchTest::onState);
+    connect(m_controller, &Controller::armedChanged, this, [this](bool armed) {
         // A lost link disarms too, and tells so itself.
-        if (!armed && m_controller.state() == LinkState::Connected) {
-            m_run.end(BenchEnd::Stopped, Bench::tr("stopped or disarmed"));
+        if (!armed && m_controller->state() == LinkState::Connected) {
+            const Disarming& why = m_controller->gate().lastDisarming();
+            m_run.end(endOf(why.reason), disarmText(why.reason));
             QMetaObject::invokeMethod(this, &BenchTest::conclude, Qt::QueuedConnection);
         }
     });
-    m_controller.want(this, PollId::Currents, pollRow(PollId::Currents).hertz);
-    m_controller.want(this, PollId::Status, kStatusHertz);
-    m_controller.want(this, PollId::SerialControl, kControlHertz);
+    m_controller->want(this, PollId::Currents, pollRow(PollId::Currents).hertz);
+    m_controller->want(this, PollId::Status, kStatusHertz);
+    m_controller->want(this, PollId::SerialControl, kControlHertz);
     if (m_run.wantsChannels()) {
-        m_controller.want(this, PollId::RawChannels, pollRow(PollId::RawChannels).hertz);
+        m_controller->want(this, PollId::RawChannels, pollRow(PollId::RawChannels).hertz);
     }
     m_run.start(clockNow(), linkErrors());
     m_timer.start();
@@ -76,7 +113,7 @@ void BenchTest::cancel()
 
 quint64 BenchTest::linkErrors() const
 {
-    const LinkStats& stats = m_controller.stats();
+    const LinkStats& stats = m_controller->stats();
     return stats.timeouts + stats.crcErrors + stats.badReplies;
 }
 
@@ -102,7 +139,7 @@ void BenchTest::onRecords(const std::vector<TransactionRecord>& records)
 void BenchTest::onState(LinkState state)
 {
     if (state != LinkState::Connected) {
-        m_error = m_controller.lastError().value_or(Error{ErrorCode::NotConnected, {}});
+        m_error = m_controller->lastError().value_or(Error{ErrorCode::NotConnected, {}});
         m_run.end(BenchEnd::LinkLost, Bench::tr("the connection was lost"));
         conclude();
     }
@@ -110,6 +147,10 @@ void BenchTest::onState(LinkState state)
 
 void BenchTest::onTick()
 {
+    if (!m_controller) {
+        m_timer.stop();
+        return;
+    }
     giveOrders(m_run.advance(clockNow()));
     if (m_run.hasEnded()) {
         conclude();
@@ -122,16 +163,16 @@ void BenchTest::giveOrders(const BenchOrders& orders)
 {
     Result<void> done;
     if (orders[0] && orders[1] && canShare(*orders[0], *orders[1])) {
-        done = m_controller.driveBoth(*orders[0], *orders[1]);
+        done = m_controller->driveBoth(*orders[0], *orders[1]);
     } else {
         for (const MotorId motor : {MotorId::Motor1, MotorId::Motor2}) {
             if (const auto& order = orders.at(std::size_t(motor)); order && done) {
-                done = m_controller.driveMotor(motor, *order);
+                done = m_controller->driveMotor(motor, *order);
             }
         }
     }
     if (const auto& aux = orders[2]; aux && done) {
-        done = m_controller.driveMotor(MotorId::Aux, *aux);
+        done = m_controller->driveMotor(MotorId::Aux, *aux);
     }
     if (!done) {
         m_error = done.error();
@@ -141,16 +182,16 @@ void BenchTest::giveOrders(const BenchOrders& orders)
 
 void BenchTest::conclude()
 {
-    if (!isRunning() || std::exchange(m_isConcluding, true)) {
+    if (!isRunning() || !m_controller || std::exchange(m_isConcluding, true)) {
         return;
     }
     m_timer.stop();
-    disconnect(&m_controller, nullptr, this, nullptr);
-    m_controller.wantNothing(this);
+    disconnect(m_controller, nullptr, this, nullptr);
+    m_controller->wantNothing(this);
     const auto done = [this](const Result<Reply>& /*sent*/) {
         finish(m_error ? tl::make_unexpected(*m_error) : Result<void>());
     };
-    m_controller.stop(Controller::StopKind::Coast, this, done);
+    m_controller->stop(Controller::StopKind::Coast, this, done);
     // A line that is gone may never tell.
     QTimer::singleShot(kLongestStop, this, [done] { done(fail(ErrorCode::NotConnected)); });
     emit tick();

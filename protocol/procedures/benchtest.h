@@ -5,6 +5,7 @@
 #include "protocol/procedures/procedure.h"
 #include "protocol/session/controller.h"
 
+#include <QPointer>
 #include <QTimer>
 
 namespace trex {
@@ -20,7 +21,7 @@ class BenchTest : public Procedure {
     Q_OBJECT
 
 public:
-    /// The controller outlives this.
+    /// When the controller goes first, it stops the motors itself.
     BenchTest(Controller& controller, const BenchProfile& profile, QObject* parent = nullptr);
     ~BenchTest() override;
 
@@ -39,7 +40,7 @@ private:
     void conclude();
     [[nodiscard]] quint64 linkErrors() const;
 
-    Controller& m_controller;
+    QPointer<Controller> m_controller;
     BenchRun m_run;
     QTimer m_timer;
     int m_ticks = 0;

@@ -34,7 +34,7 @@ constexpr auto kFindings = std::to_array<FindingRow>({
     {Finding::TravelTooSmall, QT_TRANSLATE_NOOP("Calibration", "It moved %1 at most, and %2 to each side are needed. Move it further, or widen the travel in the transmitter.")},
     {Finding::OneDirection, QT_TRANSLATE_NOOP("Calibration", "It was moved one way only. Move it to both ends.")},
     {Finding::Noisy, QT_TRANSLATE_NOOP("Calibration", "It is too noisy (%3). Look at its potentiometer, cable or receiver.")},
-    {Finding::NotHeld, QT_TRANSLATE_NOOP("Calibration", "It was moved too fast to tell its ends. Hold it at each end for half a second.")},
+    {Finding::NotHeld, QT_TRANSLATE_NOOP("Calibration", "It was not held at its ends for long enough to know them. Hold it at each end for a second.")},
     {Finding::CentreLost, QT_TRANSLATE_NOOP("Calibration", "It comes to rest up to %7 away from its neutral, too far for a deadband to cover. Look at its spring and its mechanics.")},
     {Finding::SwappedWith, QT_TRANSLATE_NOOP("Calibration", "Channel %8 moved when this one was asked for: they seem to be swapped. Exchange their plugs, or their axes in the transmitter.")},
     {Finding::SwitchOnAtNeutral, QT_TRANSLATE_NOOP("Calibration", "It rests on its low side, where it is thought to be on (below half-way; a guess, the threshold is not published). Learn it with the switch in the other position, or reverse it in the transmitter.")},
@@ -185,6 +185,21 @@ QString centringText(const LearnedChannel& learned, InputKind input)
         : rests;
 }
 
+QString endsText(const LearnedChannel& learned, InputKind input)
+{
+    const auto text = [&](double uncertainty, const EndWindow& window) {
+        const double rounded = std::max(1.0, std::ceil(uncertainty));
+        return window.samples == 0
+            ? translated(QT_TRANSLATE_NOOP("Calibration", "not reached"))
+            : translated(QT_TRANSLATE_NOOP("Calibration", "±%1 (%2 samples)"))
+                  .arg(spanText(rounded, input))
+                  .arg(window.samples);
+    };
+    return translated(QT_TRANSLATE_NOOP("Calibration", "Ends known within: low %1, high %2"))
+        .arg(text(learned.lowUncertainty, learned.lowWindow),
+             text(learned.highUncertainty, learned.highWindow));
+}
+
 QString figuresText(const LearnedChannel& learned, InputKind input)
 {
     QStringList lines;
@@ -206,6 +221,7 @@ QString figuresText(const LearnedChannel& learned, InputKind input)
         return lines.join(u'\n');
     }
     lines << deadbandText(learned, input);
+    lines << endsText(learned, input);
     lines << translated(QT_TRANSLATE_NOOP("Calibration",
                                           "Ends pulled in by %1 and %2, so that the full stick "
                                           "gives 127"))

@@ -22,8 +22,10 @@ namespace trex {
 [[nodiscard]] QString centringText(const LearnedChannel& learned, InputKind input);
 /// The deadband and which of its terms decided it, with its factor.
 [[nodiscard]] QString deadbandText(const LearnedChannel& learned, InputKind input);
-/// Samples, missed pulses, noise, travel, symmetry, centring, deadband, margins and a switch's
-/// threshold, one a line.
+/// How well its ends are known, and from how many samples.
+[[nodiscard]] QString endsText(const LearnedChannel& learned, InputKind input);
+/// Samples, missed pulses, noise, travel, symmetry, centring, deadband, ends, margins and a
+/// switch's threshold, one a line.
 [[nodiscard]] QString figuresText(const LearnedChannel& learned, InputKind input);
 /// "1, 2 and 5" of a mask (bit n is channel n + 1).
 [[nodiscard]] QString channelListText(std::uint8_t mask);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedures/calibrationverdict.h"
 
+#include "protocol/procedures/endestimate.h"
 #include "protocol/procedures/responsecurve.h"
 
 #include <algorithm>
@@ -18,11 +19,11 @@ constexpr double kSaturationShare = 0.002; // of the range of a reading
 constexpr double kBeyondShare = 0.15; // of that range: an end this near, not held, lies beyond it
 constexpr double kJumpyShare = 0.02; // spikes that look like a rush when they come in groups
 
-/// Pulled in by half a percent of the side: the full stick reaches beyond it, and no more is lost
-/// than one step of the 127 has.
-int marginOf(double side)
+/// Pulled in by half a percent of the side, but one count at least: the full stick reaches beyond
+/// it, and no more is lost than one step of the 127 has.
+double marginOf(double side)
 {
-    return std::max(1, static_cast<int>(std::lround(kEndMarginShare * side)));
+    return std::max(1.0, kEndMarginShare * side);
 }
 
 struct Reached {
@@ -76,6 +77,36 @@ bool isNearLimit(const LearnedChannel& learned, const CalibrationRules& rules, d
     return learned.lowEnd < rules.smallest + edge || learned.highEnd > rules.largest - edge;
 }
 
+int minimumOf(const LearnedChannel& learned)
+{
+    return static_cast<int>(std::lround(learned.lowEnd + marginOf(learned.lowTravel())));
+}
+
+int maximumOf(const LearnedChannel& learned)
+{
+    return static_cast<int>(std::lround(learned.highEnd - marginOf(learned.highTravel())));
+}
+
+/// Whether what is written for an end, so far from the end itself, is right within kMostEndError
+/// wherever in its uncertainty the end lies.
+bool isKnown(double uncertainty, double pulledIn, double travel)
+{
+    return uncertainty + std::abs(pulledIn) <= kMostEndError * travel;
+}
+
+/// For an end that is not known well enough: held as a person is asked to hold it, it still would
+/// not be known for its noise; or it was held, and the noise is most of what is left open.
+bool isNoiseAtFault(const LearnedChannel& learned, bool isHeld, const EndWindow& window,
+                    double uncertainty)
+{
+    const double travel = learned.lowTravel() + learned.highTravel();
+    const auto samples = static_cast<std::size_t>(window.samples);
+    const bool isHeldLong = isHeld && samples >= kHoldSamples
+        && noiseUncertainty(learned.sigma, samples) > uncertainty / 2.0;
+    const double held = noiseUncertainty(learned.sigma, kHoldSamples);
+    return isHeldLong || !isKnown(held, marginOf(travel / 2.0), travel);
+}
+
 /// Faults for which the channel is to be done again.
 void findFaults(LearnedChannel& learned, const ChannelMeasurement& measured,
                 const CalibrationRules& rules)
@@ -100,8 +131,13 @@ void findFaults(LearnedChannel& learned, const ChannelMeasurement& measured,
                   && !(measured.hasNeutral && reached.isEnough)));
     found(Finding::NotStill, hasReadings && !measured.hasNeutral);
     found(Finding::InputConfused, learned.confusion == Confusion::Floating);
-    const bool isNotHeld = reached.isEnough
-        && ((reached.isLow && !measured.isLowHeld) || (reached.isHigh && !measured.isHighHeld));
+    const bool isLowVague = reached.isLow
+        && !(measured.isLowHeld
+             && isKnown(learned.lowUncertainty, minimumOf(learned) - learned.lowEnd, travel));
+    const bool isHighVague = reached.isHigh
+        && !(measured.isHighHeld
+             && isKnown(learned.highUncertainty, maximumOf(learned) - learned.highEnd, travel));
+    const bool isNotHeld = reached.isEnough && (isLowVague || isHighVague);
     found(Finding::Jitter,
           measured.hasNeutral
               && learned.spikeShare() > (isNotHeld ? kJumpyShare : kMostSpikeShare));
@@ -109,8 +145,14 @@ void findFaults(LearnedChannel& learned, const ChannelMeasurement& measured,
     const bool isBeyond = isNotHeld && learned.missedShare() > kGoodMissedShare
         && isNearLimit(learned, rules, kBeyondShare);
     const double noise = learned.sigma / std::max(1.0, travel);
-    const bool isNoisy =
-        reached.isEnough && noise > (isNotHeld ? kHideNoiseShare : kMostNoiseShare);
+    const bool isHidden = isNotHeld
+        && ((isLowVague
+             && isNoiseAtFault(learned, measured.isLowHeld, learned.lowWindow,
+                               learned.lowUncertainty))
+            || (isHighVague
+                && isNoiseAtFault(learned, measured.isHighHeld, learned.highWindow,
+                                  learned.highUncertainty)));
+    const bool isNoisy = reached.isEnough && (isHidden || noise > kMostNoiseShare);
     found(Finding::Saturated, isBeyond);
     found(Finding::MissingPulses, hasReadings && learned.missedShare() > kMostMissedShare);
     if (measured.hasNeutral) {
@@ -184,12 +226,12 @@ void mirrorUnusedEnd(LearnedChannel& learned, const CalibrationRules& rules)
 void propose(LearnedChannel& learned, const CalibrationRules& rules)
 {
     const bool isOneWay = reachedOf(learned, rules).isOneWay;
-    learned.lowMargin = marginOf(learned.lowTravel());
-    learned.highMargin = marginOf(learned.highTravel());
+    learned.lowMargin = static_cast<int>(std::lround(marginOf(learned.lowTravel())));
+    learned.highMargin = static_cast<int>(std::lround(marginOf(learned.highTravel())));
     auto& calibration = learned.calibration;
     calibration.neutral = static_cast<int>(std::lround(learned.neutral));
-    calibration.minimum = static_cast<int>(std::lround(learned.lowEnd)) + learned.lowMargin;
-    calibration.maximum = static_cast<int>(std::lround(learned.highEnd)) - learned.highMargin;
+    calibration.minimum = minimumOf(learned);
+    calibration.maximum = maximumOf(learned);
     if (isOneWay) {
         mirrorUnusedEnd(learned, rules);
     }
@@ -241,6 +283,8 @@ LearnedChannel judge(const ChannelMeasurement& measured, InputKind input)
     learned.sigma = measured.sigma;
     learned.lowEnd = std::min(measured.lowEnd, measured.neutral);
     learned.highEnd = std::max(measured.highEnd, measured.neutral);
+    learned.lowUncertainty = measured.lowUncertainty;
+    learned.highUncertainty = measured.highUncertainty;
     learned.lowWindow = measured.lowWindow;
     learned.highWindow = measured.highWindow;
     learned.returns = measured.returns;

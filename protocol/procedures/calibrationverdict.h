@@ -23,8 +23,12 @@ inline constexpr double kDeadbandRests = 1.25; ///< and this many times the fart
 inline constexpr double kDeadbandRestSigmas = 3.0; ///< with this many σ around that rest
 inline constexpr double kGoodNoiseShare = 0.004; ///< σ / travel up to which noise is good
 inline constexpr double kMostNoiseShare = 0.009; ///< σ / travel above which it is to be done again
-inline constexpr double kHideNoiseShare =
-    0.0055; ///< above which noise hides whether an end was held
+/// An end that may lie further from the truth than this share of the travel, all in all, is not
+/// written: its uncertainty, its margin and the rounding to whole counts together.
+inline constexpr double kMostEndError = 0.01;
+/// Half a second at 50 Hz, for which a person is asked to hold an end. Where even that would not
+/// tell the end for its noise, it is the noise that is at fault.
+inline constexpr std::size_t kHoldSamples = 25;
 inline constexpr double kEndMarginShare = 0.005; ///< of a side, by which its end is pulled in
 inline constexpr double kGoodMissedShare = 0.02;
 inline constexpr double kMostMissedShare = 0.20;
@@ -46,6 +50,8 @@ struct ChannelMeasurement {
     double highEnd = 0.0;
     EndWindow lowWindow{}; ///< what the ends were learned from
     EndWindow highWindow{};
+    double lowUncertainty = 0.0; ///< ±, raw; see EndEstimate
+    double highUncertainty = 0.0;
     bool isLowHeld = true; ///< the stick did not pass beyond the end without resting there
     bool isHighHeld = true;
     int returns = 0;

@@ -79,6 +79,7 @@ QString ChannelCalibration::extremesReason() const
     }
     std::uint8_t waiting = 0;
     std::uint8_t settling = 0;
+    std::uint8_t vague = 0;
     for (int channel = 1; channel <= kChannelCount; ++channel) {
         const auto& learner = m_learner->channel(channel);
         if (!isChosen(channel) || learner.areEndsSettled()) {
@@ -86,10 +87,13 @@ QString ChannelCalibration::extremesReason() const
         }
         const auto bit = static_cast<std::uint8_t>(1U << (channel - 1));
         const bool isReached = learner.lowNeeded() == 0 && learner.highNeeded() == 0;
-        isReached ? settling |= bit : waiting |= bit;
+        learner.areEndsVague() ? vague |= bit : isReached ? settling |= bit : waiting |= bit;
     }
     if (waiting != 0) {
         return tr("Channels still to be moved to both ends: %1.").arg(channelListText(waiting));
+    }
+    if (vague != 0) {
+        return tr("Channels to be held at each end for longer: %1.").arg(channelListText(vague));
     }
     return settling != 0 ? tr("Waiting until no end moves further…") : QString();
 }

@@ -21,6 +21,8 @@ constexpr Duration kLargestGap = 600ms; // a longer silence breaks a window
 
 constexpr Duration kSettledTime = 1500ms;
 constexpr Duration kOneWayPatience = 6s; // before a lever is believed to have one end only
+constexpr Duration kVaguePatience = 8s; // for ends to be held for longer, until they are known
+constexpr int kLookEvery = 5; // samples: 10 times a second
 constexpr std::size_t kMostKept = 60'000; // 20 minutes at 50 Hz
 constexpr double kSpikeSigmas = 8.0;
 
@@ -98,6 +100,7 @@ void ChannelLearner::beginExtremes()
     }
     m_phase = Phase::Extremes;
     m_sweepMissed = 0;
+    m_areEndsKnown = false;
     m_extremes.begin(m_neutral, m_sigma, m_latest.value_or(Instant()));
 }
 
@@ -128,7 +131,7 @@ void ChannelLearner::feed(int raw, Instant time)
         }
         break;
     case Phase::Extremes:
-        m_isValid ? m_extremes.feed(raw, time) : void(++m_sweepMissed);
+        m_isValid ? feedExtremes(raw, time) : void(++m_sweepMissed);
         break;
     case Phase::Watching:
         break;
@@ -221,11 +224,33 @@ bool ChannelLearner::areEndsSettled() const
         return false;
     }
     const Duration rest = *m_latest - m_extremes.grownAt();
-    if (lowNeeded() == 0 && highNeeded() == 0) {
-        return rest >= kSettledTime && *m_latest >= m_extremes.tellableAt();
+    if (areEndsReached()) {
+        return rest >= (m_areEndsKnown ? kSettledTime : kVaguePatience);
     }
     const bool isOneWay = lowNeeded() == 0 || highNeeded() == 0;
     return isOneWay && mayRestAtEnd(m_channel) && rest >= kOneWayPatience;
+}
+
+bool ChannelLearner::areEndsReached() const
+{
+    return lowNeeded() == 0 && highNeeded() == 0;
+}
+
+bool ChannelLearner::areEndsVague() const
+{
+    return m_phase == Phase::Extremes && areEndsReached() && !areEndsSettled()
+        && *m_latest - m_extremes.grownAt() >= kSettledTime;
+}
+
+void ChannelLearner::feedExtremes(int raw, Instant time)
+{
+    m_extremes.feed(raw, time);
+    const bool isResting = areEndsReached() && time - m_extremes.grownAt() >= kSettledTime;
+    if (!isResting) {
+        m_areEndsKnown = false;
+    } else if (!m_areEndsKnown && m_extremes.samples() % kLookEvery == 0) {
+        m_areEndsKnown = !result().has(Finding::NotHeld);
+    }
 }
 
 void ChannelLearner::setDirection(int forwardSign, int swappedWith)
@@ -251,6 +276,8 @@ LearnedChannel ChannelLearner::result() const
         measured.highEnd = high.value;
         measured.lowWindow = low.window;
         measured.highWindow = high.window;
+        measured.lowUncertainty = low.uncertainty;
+        measured.highUncertainty = high.uncertainty;
         measured.isLowHeld = low.isHeld;
         measured.isHighHeld = high.isHeld;
         measured.checked = m_samplesBefore + m_extremes.samples();

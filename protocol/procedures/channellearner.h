@@ -54,8 +54,11 @@ public:
     [[nodiscard]] int highTravel() const;
     [[nodiscard]] int lowNeeded() const; ///< still missing to the needed travel, ≥ 0
     [[nodiscard]] int highNeeded() const;
-    /// Both ends reached and no longer growing (for levers and switches: the one end).
+    /// Both ends reached, no longer growing and known well enough to be written (for levers and
+    /// switches: the one end). What is not known after a while is told by the result.
     [[nodiscard]] bool areEndsSettled() const;
+    /// Both ends reached and no longer growing, but not known: to be held for longer.
+    [[nodiscard]] bool areEndsVague() const;
 
     /// What a direction probe found for this channel: see LearnedChannel.
     void setDirection(int forwardSign, int swappedWith);
@@ -68,9 +71,11 @@ private:
         Instant time;
     };
     void feedNeutral(int raw, Instant time);
+    void feedExtremes(int raw, Instant time);
     void restartWindow(std::size_t keep);
     void takeNeutral();
     [[nodiscard]] bool isDrifting() const;
+    [[nodiscard]] bool areEndsReached() const;
 
     int m_channel;
     InputKind m_input;
@@ -99,6 +104,7 @@ private:
     int m_returnMissed = 0;
     ExtremeFinder m_extremes;
     int m_sweepMissed = 0;
+    bool m_areEndsKnown = false; ///< as of the latest look
     int m_forwardSign = 0;
     int m_swappedWith = 0;
 };

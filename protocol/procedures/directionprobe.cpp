@@ -97,18 +97,32 @@ void DirectionProbe::startWatching(Instant time)
     }
     m_isWatching = true;
     for (auto& track : m_tracks) {
-        if (!isResting(track)) {
-            track.rest.reset(); // without a rest nothing can be said of it
-        } else if (!track.rest) {
+        tryRest(track);
+    }
+}
+
+/// Without a rest nothing can be said of a channel. A sprung one that still moves when the watch
+/// begins is watched from when it has come to its neutral.
+void DirectionProbe::tryRest(Track& track) const
+{
+    if (isResting(track)) {
+        if (!track.rest) {
             track.rest = medianOf(std::vector<int>(track.recent.begin(), track.recent.end()));
         }
+        track.isWatched = true;
         track.recent.clear();
     }
 }
 
 void DirectionProbe::watch(Track& track, Instant time)
 {
-    if (!track.rest || track.recent.size() < kRecent) {
+    if (!track.isWatched) {
+        if (track.rest) { // one that is not known would be wherever it pauses
+            tryRest(track);
+        }
+        return;
+    }
+    if (track.recent.size() < kRecent) {
         return;
     }
     const double share = (recentMedian(track.recent) - *track.rest) / track.travel;

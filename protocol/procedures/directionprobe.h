@@ -42,7 +42,8 @@ public:
 
 private:
     struct Track {
-        std::optional<double> rest; ///< known from the moment of watching
+        std::optional<double> rest; ///< of a sprung channel: its neutral
+        bool isWatched = false; ///< it has rested, so that a move can be told
         double travel = 0.0;
         double sigma = 0.0;
         bool isLearned = false;
@@ -53,6 +54,7 @@ private:
     };
     [[nodiscard]] bool isResting(const Track& track) const;
     void startWatching(Instant time);
+    void tryRest(Track& track) const;
     void watch(Track& track, Instant time);
     void decide(Instant time);
 

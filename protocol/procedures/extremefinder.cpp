@@ -17,17 +17,7 @@ constexpr Duration kLeastSustainedTime = 100ms;
 constexpr Duration kLargestGap = 600ms; // a longer silence breaks what was held
 constexpr std::size_t kMostKept = 60'000; // 20 minutes at 50 Hz
 
-// Held or only passed: a stick that swings through its end is, one window earlier and one later,
-// this many times as far from it as the window's middle value is. What noise leaves of the error
-// that an end may have, but within limits, is allowed.
-constexpr double kDropFactor = 16.0;
-constexpr double kMostError = 0.0055; // of the travel, and the margin is on top
-constexpr double kMostAllowed = 0.002; // of the travel
-constexpr double kLeastDropSigmas = 2.0;
-constexpr std::size_t kLeastBeside = 3; // readings, to say anything about the time beside
 constexpr double kOutlierSigmas = 5.0;
-constexpr std::size_t kLeastAgreeing =
-    3; // one in so many: the rest may be spikes and the way there
 
 // Rushing past an end: groups of readings in a row beyond it that agree with each other, as spikes
 // do not.
@@ -110,59 +100,24 @@ Instant ExtremeFinder::grownAt() const
     return std::max(m_low.grownAt, m_high.grownAt);
 }
 
-Instant ExtremeFinder::tellableAt() const
+std::size_t ExtremeFinder::placeOf(Instant time) const
 {
-    return std::max(m_low.to + (m_low.to - m_low.from), m_high.to + (m_high.to - m_high.from));
-}
-
-std::vector<int> ExtremeFinder::between(Instant from, Instant to) const
-{
-    std::vector<int> values;
-    for (auto place = std::ranges::lower_bound(m_sweep, from, {}, &Point::time);
-         place != m_sweep.end() && place->time <= to; ++place) {
-        values.push_back(place->raw);
-    }
-    return values;
+    const auto place = std::ranges::lower_bound(m_sweep, time, {}, &SweepPoint::time);
+    return static_cast<std::size_t>(place - m_sweep.begin());
 }
 
 ExtremeFinder::End ExtremeFinder::end(int sign) const
 {
     const Reach& reach = sign > 0 ? m_high : m_low;
-    if (sign * (reach.value - m_neutral) <= 0.0) {
-        return {m_neutral, {}, true};
+    const std::size_t first = placeOf(reach.from);
+    const std::size_t last = placeOf(reach.to);
+    if (sign * (reach.value - m_neutral) <= 0.0 || last >= m_sweep.size()) {
+        return {m_neutral, {}, 0.0, true};
     }
-    End end{reach.value, {0, 0, 0, reach.from, reach.to}, true};
-    const double limit = std::max(kOutlierSigmas * m_sigma, m_rules.stillFloor);
-    const auto held = between(reach.from, reach.to);
-    for (const int raw : held) {
-        if (std::abs(raw - reach.value) <= limit) {
-            auto& [lowest, highest, samples, from, to] = end.window;
-            lowest = samples == 0 ? raw : std::min(lowest, raw);
-            highest = samples == 0 ? raw : std::max(highest, raw);
-            ++samples;
-        }
-    }
-    const bool agrees =
-        kLeastAgreeing * static_cast<std::size_t>(end.window.samples) >= held.size();
-    end.isHeld = agrees && !isOnlyPassed(reach, sign) && !isRushedPast(reach, sign);
-    return end;
-}
-
-bool ExtremeFinder::isOnlyPassed(const Reach& reach, int sign) const
-{
-    const Duration length = reach.to - reach.from;
-    std::optional<double> least; // of the drops to either side; a hold needs one side only
-    for (const auto& beside : {between(reach.from - length, reach.from - 1ns),
-                               between(reach.to + 1ns, reach.to + length)}) {
-        if (beside.size() >= kLeastBeside) {
-            const double drop = sign * (reach.value - medianOf(beside));
-            least = std::min(least.value_or(drop), drop);
-        }
-    }
-    const double travel = m_high.value - m_low.value;
-    const double allowed =
-        kDropFactor * std::min(kMostError * travel - m_sigma, kMostAllowed * travel);
-    return least.value_or(0.0) > std::max(allowed, kLeastDropSigmas * m_sigma);
+    const double outlier = std::max(kOutlierSigmas * m_sigma, m_rules.stillFloor);
+    const auto found = estimateEnd(m_sweep, first, last, sign, m_sigma, outlier);
+    return {found.value, found.window, found.uncertainty,
+            found.isAgreed && !isRushedPast(reach, sign)};
 }
 
 bool ExtremeFinder::isRushedPast(const Reach& reach, int sign) const

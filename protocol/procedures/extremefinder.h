@@ -2,6 +2,7 @@
 #pragma once
 
 #include "protocol/procedures/calibrationverdict.h"
+#include "protocol/procedures/endestimate.h"
 
 #include <deque>
 
@@ -14,7 +15,8 @@ public:
     struct End {
         double value = 0.0;
         EndWindow window; ///< the readings it was learned from; none: not reached
-        bool isHeld = true; ///< neither passed in a swing nor passed beyond in a rush
+        double uncertainty = 0.0; ///< ±, raw; see EndEstimate
+        bool isHeld = true; ///< neither spikes' only nor passed beyond in a rush
     };
     explicit ExtremeFinder(InputKind input) : m_rules(calibrationRules(input)) { }
 
@@ -27,17 +29,11 @@ public:
     [[nodiscard]] double reachedLow() const { return m_low.value; } ///< best held value so far
     [[nodiscard]] double reachedHigh() const { return m_high.value; }
     [[nodiscard]] Instant grownAt() const; ///< when an end last grew notably
-    /// Until when readings are needed to tell whether the ends were held.
-    [[nodiscard]] Instant tellableAt() const;
-    /// The best held value with what is known of its window.
+    /// The best held value, as exact as the time around it allows.
     [[nodiscard]] End end(int sign) const;
     [[nodiscard]] int spikes() const; ///< readings that stand out of their neighbours
 
 private:
-    struct Point {
-        int raw;
-        Instant time;
-    };
     struct Reach {
         double value = 0.0; ///< best held value
         double noted = 0.0; ///< the value when it last grew notably,
@@ -47,14 +43,13 @@ private:
     };
     void grow(Reach& reach, int sign, double held, Instant from, Instant to);
     [[nodiscard]] std::size_t sustainedCount() const;
-    [[nodiscard]] std::vector<int> between(Instant from, Instant to) const;
-    [[nodiscard]] bool isOnlyPassed(const Reach& reach, int sign) const;
+    [[nodiscard]] std::size_t placeOf(Instant time) const;
     [[nodiscard]] bool isRushedPast(const Reach& reach, int sign) const;
 
     const CalibrationRules& m_rules;
     double m_neutral = 0.0;
     double m_sigma = 0.0;
-    std::deque<Point> m_sweep;
+    std::deque<SweepPoint> m_sweep;
     int m_samples = 0;
     Reach m_low;
     Reach m_high;

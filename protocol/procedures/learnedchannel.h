@@ -22,7 +22,7 @@ enum class Finding : std::uint8_t {
     TravelTooSmall, ///< moved both ways, but not far enough
     OneDirection, ///< a drive channel that was moved one way only
     Noisy, ///< σ above kMostNoiseShare of the travel
-    NotHeld, ///< rushed through an end without resting there, so that the end is not known
+    NotHeld, ///< not rested at an end for long enough to know it within kMostEndError
     CentreLost, ///< comes back to rests so far apart that no deadband can cover them
     // from here on the channel is usable
     SwappedWith, ///< another channel moved when this one was asked for (see swappedWith)
@@ -69,6 +69,8 @@ struct LearnedChannel {
     double sigma = 0.0; ///< noise at neutral
     double lowEnd = 0.0; ///< reached and sustained, before the margin
     double highEnd = 0.0;
+    double lowUncertainty = 0.0; ///< ±: the end lies no further from lowEnd (see EndEstimate)
+    double highUncertainty = 0.0;
     int lowMargin = 0; ///< pulled in by, so that the full stick gives 127
     int highMargin = 0;
     EndWindow lowWindow; ///< no samples: that end was not reached

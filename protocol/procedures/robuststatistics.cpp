@@ -2,8 +2,10 @@
 #include "protocol/procedures/robuststatistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 namespace trex {
@@ -54,6 +56,19 @@ double middleOf(std::span<const double> values)
     return middle(work);
 }
 
+double trimmedMeanOf(std::span<const int> values, double cut)
+{
+    std::vector<int> work(values.begin(), values.end());
+    std::ranges::sort(work);
+    const auto wanted = static_cast<std::size_t>(std::ceil(cut * double(work.size())));
+    const std::size_t most = work.empty() ? 0 : (work.size() - 1) / 2;
+    const std::size_t left = std::min(wanted, most);
+    const auto kept = std::span(work).subspan(left, work.size() - 2 * left);
+    return kept.empty()
+        ? 0.0
+        : std::accumulate(kept.begin(), kept.end(), 0.0) / static_cast<double>(kept.size());
+}
+
 double quantileOf(std::span<const int> values, double share)
 {
     if (values.empty()) {
@@ -101,6 +116,46 @@ double differenceSigma(std::span<const int> values)
         differences.push_back(values[i] - values[i - 1]);
     }
     return deviation(differences) / std::numbers::sqrt2;
+}
+
+std::optional<Parabola> fitParabola(std::span<const CurvePoint> points)
+{
+    if (points.size() < 4) {
+        return std::nullopt;
+    }
+    // Sums of x^0 to x^4 and of y, xy, x²y; about the middle, where they are well conditioned.
+    std::array<double, 5> s{};
+    std::array<double, 3> t{};
+    for (const auto& [x, y] : points) {
+        double power = 1.0;
+        for (std::size_t i = 0; i < s.size(); ++i, power *= x) {
+            s.at(i) += power;
+            if (i < t.size()) {
+                t.at(i) += power * y;
+            }
+        }
+    }
+    const auto det = [](double a, double b, double c, double d, double e, double f, double g,
+                        double h, double i) {
+        return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
+    };
+    const double all = det(s[0], s[1], s[2], s[1], s[2], s[3], s[2], s[3], s[4]);
+    if (all == 0.0) {
+        return std::nullopt;
+    }
+    const double a = det(t[0], s[1], s[2], t[1], s[2], s[3], t[2], s[3], s[4]) / all;
+    const double b = det(s[0], t[0], s[2], s[1], t[1], s[3], s[2], t[2], s[4]) / all;
+    const double c = det(s[0], s[1], t[0], s[1], s[2], t[1], s[2], s[3], t[2]) / all;
+    if (c == 0.0) {
+        return std::nullopt;
+    }
+    double squares = 0.0;
+    for (const auto& [x, y] : points) {
+        const double off = y - (a + b * x + c * x * x);
+        squares += off * off;
+    }
+    const double freedom = static_cast<double>(points.size() - 3);
+    return Parabola{-b / (2.0 * c), a - b * b / (4.0 * c), c, std::sqrt(squares / freedom)};
 }
 
 } // namespace trex

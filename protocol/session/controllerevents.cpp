@@ -196,7 +196,7 @@ void Controller::setState(LinkState state, const std::optional<Error>& error)
     const LinkState before = std::exchange(m_state, state);
     m_lastError = error;
     if (state != LinkState::Connected) {
-        closeGate(DisarmReason::LinkLost, error ? errorText(*error) : QString());
+        closeGate(DisarmReason::LinkLost);
         if (before == LinkState::Connected) {
             m_device = {};
             if (m_store != nullptr) {

@@ -78,7 +78,7 @@ constexpr std::array kCauses{
     CauseRow{.cause = MotionCause::LinkError,
              .holds = [](Facts f) { return isDisconnected(f) && f.error.has_value(); },
              .look = MotionLook::Warning,
-             .text = QT_TRANSLATE_NOOP("MotionReason", "%1"),
+             .text = "%1", // the error says all
              .remedy = MotionRemedy::Connect,
              .arguments = errorWords},
     CauseRow{.cause = MotionCause::NotConnected,

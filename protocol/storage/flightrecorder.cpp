@@ -167,7 +167,7 @@ void FlightRecorder::freeze(const QString& reason)
     if (!m_policy.isEnabled || m_policy.folder.isEmpty() || isTooSoon) {
         return;
     }
-    m_lastFreeze = now;
+    m_lastFreeze.emplace(now); // as an assignment it is a dangling pointer to GCC 12 at -O3
     m_reason = reason;
     m_after.start(m_policy.after);
 }

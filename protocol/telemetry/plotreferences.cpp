@@ -22,7 +22,7 @@ bool isZero(const StreamRow& row, int stored)
 bool isStep(const TimeSeries& series, const StreamRow& row, std::size_t index)
 {
     const bool isSpeed = series.isValid(index) && !isZero(row, series.value(index));
-    return isSpeed && index > 0 && !series.axis().hasGapBetween(index - 1, index)
+    return isSpeed && index > series.first() && !series.axis().hasGapBetween(index - 1, index)
         && (!series.isValid(index - 1) || isZero(row, series.value(index - 1)));
 }
 
@@ -199,7 +199,7 @@ std::optional<Instant> lastCommandStep(const TelemetryStore& store, Instant to)
         }
         const TimeSeries& series = store.series(index);
         const StreamRow& row = streams()[static_cast<std::size_t>(index)];
-        for (std::size_t i = series.range(to, to).first; i-- > 0;) {
+        for (std::size_t i = series.range(to, to).first; i-- > series.first();) {
             if (isStep(series, row, i)) {
                 last = std::max(last.value_or(series.time(i)), series.time(i));
                 break;

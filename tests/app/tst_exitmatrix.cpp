@@ -211,6 +211,7 @@ class TestExitMatrix : public QObject {
 private slots:
     void wayOut_leavesAllMotorsNeutral_data();
     void wayOut_leavesAllMotorsNeutral();
+    void killedWithoutTimeout_hadBeenWarnedOf();
     void cleanupTestCase();
 
 private:
@@ -366,6 +367,40 @@ void TestExitMatrix::judge(const Case& c, const QString& log, const LineSettings
     }
     const bool needsStop = state.moves || way.line == Way::Line::Fine;
     QVERIFY2(!needsStop || heard >= 2, "no stop was heard");
+}
+
+/// What no program can do: the motors run on. It had said so on the screen.
+void TestExitMatrix::killedWithoutTimeout_hadBeenWarnedOf()
+{
+    QTemporaryDir folder;
+    const QString log = folder.filePath(u"log.jsonl"_s);
+    test::SimWitness witness({}, folder.filePath(u"port"_s), log);
+    QVERIFY(witness.isOk());
+    QFile file(folder.filePath(u"script.json"_s));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"steps":[{"waitFor":{"object":"connection.state","property":"state",
+        "equals":"connected"},"timeoutMs":15000},
+        {"waitFor":{"object":"motors.timeoutWarning","property":"visible","equals":true}},
+        {"click":"motors.arm"},{"set":{"object":"motors.motor1.slider","value":60}},
+        {"waitFor":{"object":"motors.timeoutWarning","property":"text","matches":"run on"}},
+        {"screenshot":{"object":"mainWindow","file":"warned.png"}},
+        {"set":{"object":"motors.motor2.slider","value":60}},
+        {"set":{"object":"motors.aux.slider","value":60}},{"sleepMs":15000}]})");
+    file.close();
+    QProcess program;
+    const QString pictures = qEnvironmentVariable("TREX_PICTURES", folder.filePath(u"pictures"_s));
+    program.start(u"" TREX_PANEL_PROGRAM ""_s,
+                  {u"--offscreen"_s, u"--port"_s, folder.filePath(u"port"_s), u"--script"_s,
+                   file.fileName(), u"--screenshots"_s, pictures, u"--settings"_s,
+                   folder.filePath(u"settings.ini"_s)});
+    QVERIFY(program.waitForStarted());
+    QVERIFY2(waitForMotion(log, true), "the motors do not move");
+    program.kill();
+    QVERIFY(program.waitForFinished(kLongest));
+    QTest::qWait(800);
+    witness.end();
+    QVERIFY(QFile::exists(pictures + u"/warned.png"_s));
+    QCOMPARE(test::readSimRecord(log).speeds, (std::array{60, 60, 60}));
 }
 
 void TestExitMatrix::cleanupTestCase()

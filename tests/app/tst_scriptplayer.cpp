@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/script/scriptplayer.h"
 #include "widgets/common/filedialogs.h"
+#include "widgets/common/frameticker.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -100,6 +101,7 @@ private slots:
     void file_answersTheQuestion();
     void file_failsWhenNothingIsAsked();
     void screenshot_writesThePicture();
+    void window_isMinimisedAndRestored();
     void failure_endsTheScript();
     void emptyScript_passes();
 
@@ -348,6 +350,18 @@ void TestScriptPlayer::screenshot_writesThePicture()
     QCOMPARE(m_player->screenshots(), QStringList{u"sub/main.png"_s});
     const QImage picture(m_folder->filePath(u"sub/main.png"_s));
     QCOMPARE(picture.size(), m_window->size() * m_window->devicePixelRatio());
+}
+
+void TestScriptPlayer::window_isMinimisedAndRestored()
+{
+    QVERIFY(!FrameTicker::isEverythingMinimised());
+    play(R"({"window":"minimise"})");
+    QVERIFY(m_player->isPassed());
+    QVERIFY(m_window->isMinimized());
+    QVERIFY(FrameTicker::isEverythingMinimised()); // nobody sees a frame
+    play(R"({"window":"restore"})");
+    QVERIFY(!m_window->isMinimized());
+    QVERIFY(!FrameTicker::isEverythingMinimised());
 }
 
 void TestScriptPlayer::failure_endsTheScript()

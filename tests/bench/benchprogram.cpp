@@ -2,11 +2,13 @@
 #include "tests/bench/benchsections.h"
 
 #include "app/script/processclock.h"
+#include "widgets/panelregistry.h"
 
 #include <QApplication>
 #include <QChart>
 #include <QChartView>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLineSeries>
@@ -64,30 +66,36 @@ struct PanelRun {
     double startupMs = 0.0;
     double peakMiB = 0.0;
     double frameMs = 0.0;
+    double frames = 0.0;
+    double transactions = 0.0;
     double processorSeconds = 0.0;
 };
 
-/// trexpanel on the simulator, everything live, for so long.
-PanelRun runPanel(int liveMs)
+/// trexpanel with these options, plays these steps once it is connected.
+PanelRun runPanel(const QStringList& line, const QJsonArray& steps)
 {
     const QTemporaryDir folder;
     const auto path = [&folder](const QString& name) { return folder.filePath(name); };
     QFile script(path(u"script.json"_s));
     if (script.open(QIODevice::WriteOnly)) {
-        script.write(
-            QStringLiteral("{\"steps\":[{\"waitFor\":{\"object\":\"connection.state\",\"property\":"
-                           "\"state\",\"equals\":\"connected\"}},{\"sleepMs\":%1}]}")
-                .arg(liveMs)
-                .toUtf8());
+        QJsonArray all{QJsonObject{{u"waitFor"_s,
+                                    QJsonObject{{u"object"_s, u"connection.state"_s},
+                                                {u"property"_s, u"state"_s},
+                                                {u"equals"_s, u"connected"_s}}}}};
+        for (const QJsonValue& step : steps) {
+            all.append(step);
+        }
+        script.write(QJsonDocument(QJsonObject{{u"steps"_s, all}}).toJson());
         script.close();
     }
     const double before = childSeconds();
     QProcess process;
     process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     process.start(QStringLiteral(TREX_PANEL_PROGRAM),
-                  {u"--offscreen"_s, u"--simulate"_s, u"--script"_s, script.fileName(),
-                   u"--report"_s, path(u"report.json"_s), u"--screenshots"_s, path(u"pictures"_s),
-                   u"--settings"_s, path(u"settings.ini"_s)});
+                  QStringList{u"--offscreen"_s, u"--script"_s, script.fileName(), u"--report"_s,
+                              path(u"report.json"_s), u"--screenshots"_s, path(u"pictures"_s),
+                              u"--settings"_s, path(u"settings.ini"_s)}
+                      + line);
     process.waitForFinished(-1);
     PanelRun run;
     run.processorSeconds = childSeconds() - before;
@@ -99,9 +107,65 @@ PanelRun runPanel(int liveMs)
         run.startupMs = metrics.value(u"startupMs"_s).toDouble();
         run.peakMiB = metrics.value(u"peakRssMiB"_s).toDouble();
         run.frameMs = metrics.value(u"frameMsMedian"_s).toDouble();
+        run.frames = metrics.value(u"framesPainted"_s).toDouble();
+        run.transactions = metrics.value(u"transactions"_s).toDouble();
     }
     return run;
 }
+
+QJsonObject sleepStep(int ms)
+{
+    return {{u"sleepMs"_s, ms}};
+}
+
+/// Panels that share a place with others get windows of their own, so that all are seen.
+QJsonArray stepsToShowAll()
+{
+    QJsonArray steps;
+    for (const PanelRow& panel : panels()) {
+        if (panel.area == Qt::BottomDockWidgetArea) {
+            const QString dock =
+                u"dock."_s + QLatin1StringView(panel.id.data(), qsizetype(panel.id.size()));
+            steps.append(QJsonObject{{u"set"_s,
+                                      QJsonObject{{u"object"_s, dock},
+                                                  {u"property"_s, u"floating"_s},
+                                                  {u"value"_s, true}}}});
+        }
+    }
+    return steps;
+}
+
+/// Processor time at work, start and end left out: the difference of a long and a short run.
+struct Work {
+    std::vector<double> percent{};
+    std::vector<double> perSecond{}; ///< transactions
+    std::vector<double> framesPerSecond{};
+    std::vector<double> frameMs{};
+    std::vector<double> memory{};
+
+    void measure(const QStringList& line, const QJsonArray& steps)
+    {
+        constexpr int kShortMs = 2000;
+        constexpr int kLongMs = 10'000;
+        const auto run = [&](int ms) {
+            QJsonArray all = steps;
+            all.append(sleepStep(ms));
+            return runPanel(line, all);
+        };
+        const PanelRun brief = run(kShortMs);
+        const PanelRun full = run(kLongMs);
+        if (!brief.passed || !full.passed) {
+            qWarning("trexpanel did not play its script");
+            return;
+        }
+        constexpr double kSeconds = (kLongMs - kShortMs) / 1000.0;
+        percent.push_back(100.0 * (full.processorSeconds - brief.processorSeconds) / kSeconds);
+        perSecond.push_back((full.transactions - brief.transactions) / kSeconds);
+        framesPerSecond.push_back((full.frames - brief.frames) / kSeconds);
+        frameMs.push_back(full.frameMs);
+        memory.push_back(full.peakMiB);
+    }
+};
 
 } // namespace
 
@@ -118,14 +182,14 @@ int runBareChart()
     return QCoreApplication::exec();
 }
 
-void measurePrograms(Results& results)
+void measureStart(Results& results)
 {
     constexpr int kRuns = 7;
     std::vector<double> panelMs;
     std::vector<double> bareMs;
     for (int run = 0; run < kRuns; ++run) {
         bareMs.push_back(bareChartMs());
-        if (const PanelRun panel = runPanel(0); panel.passed) {
+        if (const PanelRun panel = runPanel({u"--simulate"_s}, {}); panel.passed) {
             panelMs.push_back(panel.startupMs);
         }
     }
@@ -134,26 +198,46 @@ void measurePrograms(Results& results)
     results.add(u"start.bare"_s, u"start: a bare QChartView window"_s, median(bareMs), u"ms"_s);
     results.add(u"start.ratio"_s, u"start: trexpanel / bare"_s, median(panelMs) / median(bareMs),
                 {});
+}
 
-    constexpr int kShortMs = 2000;
-    constexpr int kLongMs = 8000;
-    std::vector<double> load;
-    std::vector<double> memory;
-    std::vector<double> frame;
-    for (int run = 0; run < 3; ++run) { // the difference of two lengths leaves the start out
-        const PanelRun brief = runPanel(kShortMs);
-        const PanelRun full = runPanel(kLongMs);
-        if (brief.passed && full.passed) {
-            const double span = (kLongMs - kShortMs) / 1000.0;
-            load.push_back(100.0 * (full.processorSeconds - brief.processorSeconds) / span);
-            memory.push_back(full.peakMiB);
-            frame.push_back(full.frameMs);
-        }
+void measureProcessor(Results& results)
+{
+    constexpr int kRounds = 3;
+    const QTemporaryDir folder;
+    const QString link = folder.filePath(u"line"_s);
+    QProcess simulator; // a process of its own: its time is not the program's
+    simulator.start(QStringLiteral(TREX_CTL_PROGRAM),
+                    {u"simulate"_s, u"--pty"_s, link, u"--pace"_s});
+    if (!simulator.waitForReadyRead(5000)) {
+        qWarning("trexctl simulate does not start");
+        return;
     }
-    results.add(u"live.cpu"_s, u"live: processor time, all panels, simulator in process"_s,
-                median(load), u"% of a core"_s);
-    results.add(u"live.frame"_s, u"live: frame of the currents plot"_s, median(frame), u"ms"_s);
-    results.add(u"live.memory"_s, u"live: peak memory (VmHWM)"_s, median(memory), u"MiB"_s);
+    const QStringList line{u"--port"_s, link};
+    const QJsonArray seen = stepsToShowAll();
+    QJsonArray minimised = seen;
+    minimised.append(QJsonObject{{u"window"_s, u"minimise"_s}});
+    Work visible;
+    Work hidden;
+    for (int round = 0; round < kRounds; ++round) {
+        visible.measure(line, seen);
+        hidden.measure(line, minimised);
+    }
+    simulator.terminate();
+    simulator.waitForFinished(5000);
+    const QString all = u"live: all panels seen, 19200 baud: "_s;
+    const QString none = u"live: minimised, 19200 baud: "_s;
+    results.add(u"live.cpu"_s, all + u"processor"_s, median(visible.percent), u"% of a core"_s);
+    results.add(u"live.frames"_s, all + u"frames of the currents"_s,
+                median(visible.framesPerSecond), u"a second"_s);
+    results.add(u"live.frame"_s, all + u"a frame of the currents"_s, median(visible.frameMs),
+                u"ms"_s);
+    results.add(u"live.transactions"_s, all + u"transactions"_s, median(visible.perSecond),
+                u"a second"_s);
+    results.add(u"live.memory"_s, all + u"peak memory (VmHWM)"_s, median(visible.memory), u"MiB"_s);
+    results.add(u"live.minimised.cpu"_s, none + u"processor"_s, median(hidden.percent),
+                u"% of a core"_s);
+    results.add(u"live.minimised.transactions"_s, none + u"transactions"_s,
+                median(hidden.perSecond), u"a second"_s);
 }
 
 } // namespace trex::bench

@@ -9,7 +9,10 @@
 #include <QThread>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <ctime>
 
 namespace trex::bench {
 
@@ -48,6 +51,24 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
+double ThreadTimer::nowNs()
+{
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) * 1e9 + double(time.tv_nsec);
+}
+
+double systemLoad()
+{
+    std::array<double, 1> load{};
+    return ::getloadavg(load.data(), 1) == 1 ? load[0] : std::nan("");
+}
+
+void Results::note(const QString& sentence)
+{
+    m_notes << sentence;
+}
+
 void Results::add(const QString& key, const QString& title, double value, const QString& unit)
 {
     m_rows.push_back({key, title, value, unit});
@@ -55,11 +76,16 @@ void Results::add(const QString& key, const QString& title, double value, const 
 
 QString Results::table() const
 {
-    constexpr int kTitleWidth = 66;
+    constexpr int kTitleWidth = 68;
     QString text;
     for (const Row& row : m_rows) {
         text +=
             u"%1 %2 %3\n"_s.arg(row.title, -kTitleWidth).arg(figure(row.median), 10).arg(row.unit);
+    }
+    text += u"%1 %2\n"_s.arg(u"load of the machine at the end"_s, -kTitleWidth)
+                .arg(figure(systemLoad()), 10);
+    for (const QString& sentence : m_notes) {
+        text += sentence + u'\n';
     }
     return text;
 }
@@ -79,6 +105,8 @@ QByteArray Results::json() const
                            {u"processor"_s, processor()},
                            {u"cores"_s, QThread::idealThreadCount()},
                            {u"system"_s, QSysInfo::prettyProductName()},
+                           {u"load"_s, systemLoad()},
+                           {u"notes"_s, QJsonArray::fromStringList(m_notes)},
                            {u"results"_s, rows}})
         .toJson();
 }

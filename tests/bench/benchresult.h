@@ -3,6 +3,7 @@
 
 #include <QJsonArray>
 #include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace trex::bench {
 class Results {
 public:
     void add(const QString& key, const QString& title, double median, const QString& unit);
+    void note(const QString& sentence); ///< what a reader has to know, under the table
     [[nodiscard]] QString table() const;
     [[nodiscard]] QByteArray json() const; ///< with date and machine
 
@@ -24,8 +26,22 @@ private:
         QString unit;
     };
     std::vector<Row> m_rows;
+    QStringList m_notes;
 };
 
 [[nodiscard]] double median(std::vector<double> values);
+/// Processor time of this thread: what something costs, however busy the machine is with others.
+class ThreadTimer {
+public:
+    ThreadTimer() : m_start(nowNs()) { }
+    void restart() { m_start = nowNs(); }
+    [[nodiscard]] double ns() const { return nowNs() - m_start; }
+
+private:
+    [[nodiscard]] static double nowNs();
+    double m_start;
+};
+/// Processes that wanted a processor, on average of the last minute: how noisy the times are.
+[[nodiscard]] double systemLoad();
 
 } // namespace trex::bench

@@ -6,8 +6,9 @@
 namespace trex::bench {
 
 void measureStore(Results& results); ///< bytes a sample, append and query times
-void measurePlot(Results& results); ///< frame time, against Qt Charts' own series in the same run
-void measurePrograms(Results& results); ///< start, memory, processor time of trexpanel
+void measurePlot(Results& results); ///< frame time at any length, against QCustomPlot and the floor
+void measureStart(Results& results); ///< of trexpanel, to its first full window
+void measureProcessor(Results& results); ///< processor time and memory of trexpanel at work
 void measureRecording(Results& results); ///< bytes a value, processor time, opening a day
 void measureLines(Results& results); ///< transactions a second on paced lines
 void measureStop(Results& results); ///< from the request to the last stop byte, under load

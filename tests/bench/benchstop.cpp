@@ -25,6 +25,7 @@ constexpr int kStops = 200; ///< each case
 constexpr auto kProgram = 2ms;
 constexpr int kReplyBytes = 10; ///< of the longest poll
 constexpr int kRequestBytes = 2;
+constexpr int kLongestExchange = 32; ///< bytes
 
 enum class Load { Idle, Polling, Drops };
 
@@ -39,11 +40,11 @@ double boundMs(const LineSettings& line, Load load)
     for (const Command& command : stopCommands(false)) {
         bound += line.timeOf(static_cast<int>(encode(command, line).size()));
     }
-    if (load != Load::Idle) {
+    if (load == Load::Polling) {
         bound += line.timeOf(kRequestBytes + kReplyBytes);
     }
-    if (load == Load::Drops) {
-        bound += line.timeout;
+    if (load == Load::Drops) { // LinkEngine's patience with a reply once a stop waits
+        bound += 100ms + line.timeOf(kLongestExchange);
     }
     return milliseconds(bound);
 }

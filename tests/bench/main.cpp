@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the program: `trex_bench [--json FILE] [store|plot|programs|record|lines|stop ...]`, all
-// if none is named. Times drift with the machine and its load; the ratios within a run are what to
+// Measures the program: `trex_bench [--json FILE] [plot|store|live|record|start|stop ...]`, all if
+// none is named. Times drift with the machine and its load; the ratios within a run are what to
 // compare.
 #include "tests/bench/benchsections.h"
 
@@ -11,6 +11,7 @@
 #include <QFileInfo>
 #include <QTextStream>
 
+#include <algorithm>
 #include <array>
 
 using namespace Qt::Literals::StringLiterals;
@@ -22,10 +23,28 @@ struct Section {
     const char* name;
     void (*measure)(Results&);
 };
-constexpr std::array kSections{
-    Section{"store", measureStore},       Section{"plot", measurePlot},
-    Section{"programs", measurePrograms}, Section{"record", measureRecording},
-    Section{"lines", measureLines},       Section{"stop", measureStop}};
+void measureLive(Results& results)
+{
+    measureLines(results);
+    measureProcessor(results);
+}
+
+constexpr std::array kSections{Section{"plot", measurePlot},   Section{"store", measureStore},
+                               Section{"live", measureLive},   Section{"record", measureRecording},
+                               Section{"start", measureStart}, Section{"stop", measureStop}};
+
+/// The first of the names that is no section's; empty: all are.
+QString unknownOf(const QStringList& names)
+{
+    for (const QString& name : names) {
+        if (std::none_of(kSections.begin(), kSections.end(), [&](const Section& section) {
+                return name == QLatin1StringView(section.name);
+            })) {
+            return name;
+        }
+    }
+    return {};
+}
 
 } // namespace
 
@@ -40,12 +59,19 @@ int main(int argc, char** argv)
     QCommandLineParser parser;
     const QCommandLineOption json(u"json"_s, u"Write the results as JSON."_s, u"FILE"_s);
     parser.addOption(json);
+    parser.addPositionalArgument(
+        u"section"_s, u"plot, store, live, record, start, stop; all if none."_s, u"[section...]"_s);
     parser.addHelpOption();
     parser.process(app);
 
     QTextStream out(stdout);
     QTextStream err(stderr);
     const QStringList wanted = parser.positionalArguments();
+    if (const QString unknown = unknownOf(wanted); !unknown.isEmpty()) {
+        err << "There is no section '" << unknown << "': plot, store, live, record, start, stop\n";
+        return 2;
+    }
+    err << "load of the machine at the start: " << systemLoad() << '\n';
     Results results;
     for (const Section& section : kSections) {
         const QString name = QString::fromLatin1(section.name);

@@ -260,7 +260,7 @@ void TestChannelFindings::rushedEnds_areFound()
     bench.learner.beginExtremes();
     for (int i = 0; i < 10; ++i) {
         bench.sweep(1, 2700, 4800); // held here
-        bench.move(1, 5000, 80ms); // and touched there
+        bench.move(1, 5000, 20ms); // and touched there
         bench.move(1, 3750, 100ms);
     }
     const auto learned = bench.learner.result(1);

@@ -1,322 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Thousands of generated sticks, whose truth is known, played to the learner as a person would move
 // them: each is learned right or declined for what is wrong with it.
-#include "protocol/procedures/calibrationlearner.h"
 #include "protocol/procedures/calibrationtext.h"
 
-#include "tests/procedures/generatedstick.h"
+#include "tests/procedures/stickplayer.h"
 
 #include <QTest>
 
 #include <cstdio>
-#include <functional>
 #include <map>
 
-using namespace std::chrono_literals;
 using namespace trex;
+using namespace trex::test;
 
 namespace {
 
 constexpr double kEndTolerance = 0.01; // of the travel
 constexpr double kNeutralTolerance = 1.5; // σ, but one count at least
 constexpr int kCasesEach = 240; // of each class
+constexpr unsigned kSeedStep = 1'200'000; // keeps what the seed decides of a stick
 
-double seconds(Duration time)
+/// TREX_STICKS: how many in all. TREX_STICKS_ROUND: another number, other sticks.
+int casesEach()
 {
-    return std::chrono::duration<double>(time).count();
+    const int all = qEnvironmentVariableIntValue("TREX_STICKS");
+    return all > 0 ? all / int(std::size(kStickClasses)) + 1 : kCasesEach;
 }
 
-using Chance = std::uniform_real_distribution<double>;
-
-/// One stick and how it is played.
-struct Case {
-    GeneratedStick stick;
-    InputKind input = InputKind::Rc;
-    int channel = 1;
-    bool hasReturns = true;
-    /// Replaces the stick's readings where it is none: another kind of input, nothing at all.
-    std::function<int(double seconds, std::mt19937& random)> foreign{};
-};
-
-/// A class of sticks: how to make one, and for what it may be declined.
-struct StickClass {
-    const char* name;
-    void (*shape)(Case& one, std::mt19937& random);
-    bool (*isRight)(Finding reason, const Case& one);
-    double leastAccepted; ///< share
-    double mostAccepted; ///< share
-};
-
-struct Played {
-    LearnedChannel learned;
-    bool endsDone = false;
-    double seconds = 0.0; ///< when the neutral was settled
-    int fed = 0; ///< fresh readings
-    int fedValid = 0;
-    double spikeShare = 0.0; ///< of the fresh readings
-};
-
-/// Plays a case as the wizard would. With `poison`, each fresh sample is followed by repeats of its
-/// time (and earlier ones) with other values: a dead link's stale data.
-class Player {
-public:
-    Player(const Case& one, bool poison)
-        : m_case(one)
-        , m_poison(poison)
-        , m_player(one.stick)
-        , m_random(one.stick.seed + 77)
-        , m_rules(calibrationRules(one.input))
-        , m_learner(one.input, static_cast<std::uint8_t>(1U << (one.channel - 1)))
-    {
-    }
-
-    Played play()
-    {
-        const auto& stick = m_case.stick;
-        m_learner.beginNeutral();
-        const double rest = stick.neutral + stick.play * (stick.startsDown ? -1 : 1);
-        for (int i = 0; i < 600 && !m_learner.isNeutralDone(); ++i) {
-            feed(rest);
-        }
-        if (m_learner.isNeutralDone()) {
-            if (m_case.hasReturns && stick.sweep != GeneratedStick::Sweep::Nothing) {
-                playReturns();
-            }
-            m_played.seconds = seconds(m_now.time_since_epoch());
-            m_learner.beginExtremes();
-            const auto start = m_now;
-            for (int i = 0; i < 1200 && !m_learner.areExtremesDone(); ++i) {
-                feed(stick.position(seconds(m_now - start)));
-            }
-        }
-        m_played.endsDone = m_learner.areExtremesDone();
-        m_played.spikeShare = double(m_player.spikes()) / std::max(1, m_played.fed);
-        m_played.learned = m_learner.result(m_case.channel);
-        return m_played;
-    }
-
-private:
-    void playReturns()
-    {
-        const auto& stick = m_case.stick;
-        m_learner.beginReturns();
-        int side = stick.startsDown ? -1 : 1;
-        side = stick.sweep == GeneratedStick::Sweep::UpOnly  ? 1
-            : stick.sweep == GeneratedStick::Sweep::DownOnly ? -1
-                                                             : side;
-        const bool isOneWay = stick.sweep == GeneratedStick::Sweep::UpOnly
-            || stick.sweep == GeneratedStick::Sweep::DownOnly;
-        for (int move = 0; move < 6 && !m_learner.areReturnsDone(); ++move) {
-            for (int i = 0; i < 50; ++i) { // out, held, back
-                feed(stick.at(side * std::min({i / 15.0, 0.9, (49 - i) / 15.0})));
-            }
-            for (int i = 0; i < 70 && !m_learner.areReturnsDone(); ++i) {
-                feed(stick.neutral + side * stick.play);
-            }
-            side = isOneWay ? side : -side;
-        }
-    }
-
-    void feed(double position)
-    {
-        m_now += GeneratedStick::kInterval;
-        const double at = seconds(m_now.time_since_epoch());
-        PollSample sample{PollId::RawChannels, {}, m_now};
-        sample.raw.fill(kInvalidPulse);
-        auto& raw = sample.raw.at(static_cast<std::size_t>(m_case.channel - 1));
-        const int value = m_case.foreign ? m_case.foreign(at, m_random)
-                                         : m_player.reading(position + m_case.stick.offset(at),
-                                                            m_rules.smallest, m_rules.largest);
-        raw = static_cast<std::uint16_t>(value);
-        m_learner.feed(sample);
-        ++m_played.fed;
-        m_played.fedValid += value >= m_rules.smallest && value <= m_rules.largest ? 1 : 0;
-        if (m_poison) {
-            for (const int bad : {m_rules.smallest, m_rules.largest, int(kInvalidPulse)}) {
-                raw = static_cast<std::uint16_t>(bad);
-                m_learner.feed(sample);
-            }
-            sample.time -= 1ms;
-            m_learner.feed(sample);
-        }
-    }
-
-    const Case& m_case;
-    bool m_poison;
-    StickPlayer m_player;
-    std::mt19937 m_random;
-    const CalibrationRules& m_rules;
-    CalibrationLearner m_learner;
-    Instant m_now{};
-    Played m_played;
-};
-
-double between(double low, double high, std::mt19937& random)
+unsigned firstSeed()
 {
-    return Chance(low, high)(random);
+    return kSeedStep * static_cast<unsigned>(qEnvironmentVariableIntValue("TREX_STICKS_ROUND"));
 }
-
-/// A usual stick of either kind, with next to no noise.
-Case usualCase(unsigned seed, std::mt19937& random)
-{
-    Case one;
-    const bool isRc = seed % 2 == 0;
-    one.input = isRc ? InputKind::Rc : InputKind::Analog;
-    one.channel = seed % 4 < 2 ? 1 : 2;
-    auto& stick = one.stick;
-    stick.neutral = isRc ? between(3500, 4000, random) : between(440, 580, random);
-    stick.low = stick.neutral - (isRc ? between(750, 1300, random) : between(180, 420, random));
-    stick.high = stick.neutral + (isRc ? between(750, 1300, random) : between(180, 420, random));
-    stick.sigma = between(0.0, 0.001, random) * stick.travel();
-    stick.startsDown = between(0, 1, random) < 0.5;
-    stick.seed = seed;
-    one.hasReturns = seed % 3 != 0;
-    return one;
-}
-
-bool never(Finding /*reason*/, const Case& /*one*/)
-{
-    return false;
-}
-
-/// For noise, spikes and missing pulses: only when there are nearly so many as are not accepted.
-bool isTooMuch(Finding reason, const Case& one)
-{
-    const auto& stick = one.stick;
-    return (reason == Finding::Noisy && stick.sigma > 0.005 * stick.travel())
-        || (reason == Finding::NotStill && stick.sigma > 0.0085 * stick.travel())
-        || (reason == Finding::MissingPulses && stick.missingShare > 0.15)
-        || (reason == Finding::Jitter && stick.spikeShare > 0.015);
-}
-
-/// With noise, an end must be held.
-bool isTooMuchToSwing(Finding reason, const Case& one)
-{
-    return isTooMuch(reason, one)
-        || (reason == Finding::NotHeld && one.stick.sigma > 0.0025 * one.stick.travel());
-}
-
-/// Expo makes a swing through an end shorter still.
-bool isSteepSwing(Finding reason, const Case& one)
-{
-    return reason == Finding::NotHeld && one.stick.sweep == GeneratedStick::Sweep::Sine
-        && one.stick.expo > 2.2;
-}
-
-template <Finding... kReasons>
-bool isOneOf(Finding reason, const Case& /*one*/)
-{
-    return ((reason == kReasons) || ...);
-}
-
-using Sweep = GeneratedStick::Sweep;
-
-// clang-format off
-const StickClass kClasses[] = {
-    {"clean", [](Case&, std::mt19937&) {}, never, 1.0, 1.0},
-    {"noise 0 to 2 %, held", [](Case& one, std::mt19937& random) {
-        one.stick.sigma = between(0, 0.02, random) * one.stick.travel(); }, isTooMuch, 0.4, 0.6},
-    {"noise 0 to 2 %, swung", [](Case& one, std::mt19937& random) {
-        one.stick.sigma = between(0, 0.02, random) * one.stick.travel();
-        one.stick.sweep = Sweep::Sine; }, isTooMuchToSwing, 0.12, 0.6},
-    {"spikes to 3.5 %", [](Case& one, std::mt19937& random) {
-        one.stick.sigma = between(0, 0.005, random) * one.stick.travel();
-        one.stick.spikeShare = between(0, 0.035, random); }, isTooMuch, 0.98, 1.0},
-    {"pulses missing to 20 %", [](Case& one, std::mt19937& random) {
-        one.input = InputKind::Rc; one.stick = usualCase(one.stick.seed & ~1U, random).stick;
-        one.stick.missingShare = between(0, 0.2, random); }, isTooMuch, 0.85, 1.0},
-    {"pulses missing 28 to 60 %", [](Case& one, std::mt19937& random) {
-        one.input = InputKind::Rc; one.stick = usualCase(one.stick.seed & ~1U, random).stick;
-        one.stick.missingShare = between(0.28, 0.6, random); }, isOneOf<Finding::MissingPulses>, 0.0, 0.0},
-    {"reversed", [](Case& one, std::mt19937&) { one.stick.startsDown = true; }, never, 1.0, 1.0},
-    {"one-sided, drive", [](Case& one, std::mt19937& random) {
-        one.stick.sweep = between(0, 1, random) < 0.5 ? Sweep::UpOnly : Sweep::DownOnly; },
-        isOneOf<Finding::OneDirection>, 0.0, 0.0},
-    {"one-sided, lever or switch", [](Case& one, std::mt19937& random) {
-        one.channel = 3 + static_cast<int>(one.stick.seed % 3);
-        one.stick.sweep = between(0, 1, random) < 0.5 ? Sweep::UpOnly : Sweep::DownOnly; }, never, 1.0, 1.0},
-    {"asymmetrical to 1:4", [](Case& one, std::mt19937& random) {
-        const bool isRc = one.input == InputKind::Rc;
-        const double side = isRc ? between(640, 700, random) : between(130, 150, random);
-        const double other = side * between(1.5, isRc ? 3.3 : 3.8, random);
-        one.stick.neutral = isRc ? 3750 : between(1, 2, random) < 1.5 ? 440 : 580;
-        const bool isUp = isRc ? between(0, 1, random) < 0.5 : one.stick.neutral < 500;
-        one.stick.low = std::max(isRc ? 1260.0 : 5.0, one.stick.neutral - (isUp ? side : other));
-        one.stick.high = std::min(isRc ? 6240.0 : 1018.0, one.stick.neutral + (isUp ? other : side)); },
-        never, 1.0, 1.0},
-    {"expo to cubic", [](Case& one, std::mt19937& random) {
-        one.stick.expo = between(1.0, 3.0, random);
-        one.stick.sweep = between(0, 1, random) < 0.5 ? Sweep::Sine : Sweep::Dwell; }, isSteepSwing, 0.95, 1.0},
-    {"sticky centre", [](Case& one, std::mt19937& random) {
-        one.hasReturns = true;
-        one.stick.play = between(0.002, 0.02, random) * one.stick.travel(); }, never, 1.0, 1.0},
-    {"wandering to 0.3 %", [](Case& one, std::mt19937& random) {
-        one.stick.wander = between(0, 0.003, random) * one.stick.travel();
-        one.stick.wanderPeriod = between(2, 15, random); }, isOneOf<Finding::NotStill>, 0.9, 1.0},
-    {"creeping, then at rest", [](Case& one, std::mt19937& random) {
-        const double least = std::max(3.0, 3.0 * one.stick.sigma);
-        one.stick.creep = between(least, 20.0 * least, random);
-        one.stick.creepUntil = between(1.5, 7.5, random) * least / one.stick.creep; }, never, 1.0, 1.0},
-    {"creeping for ever", [](Case& one, std::mt19937& random) {
-        one.stick.creep = between(1.0, 4.0, random) * std::max(3.0, 3.0 * one.stick.sigma);
-        one.stick.creepUntil = 1e9; }, isOneOf<Finding::NotStill>, 0.0, 0.0},
-    {"not moved", [](Case& one, std::mt19937&) { one.stick.sweep = Sweep::Nothing; },
-        isOneOf<Finding::NotMoved>, 0.0, 0.0},
-    {"too little travel", [](Case& one, std::mt19937& random) {
-        const double needed = calibrationRules(one.input).neededTravel;
-        one.stick.low = one.stick.neutral - between(0.35, 0.95, random) * needed;
-        one.stick.high = one.stick.neutral + between(0.35, 0.95, random) * needed; },
-        isOneOf<Finding::TravelTooSmall>, 0.0, 0.0},
-    {"rushed, never held", [](Case& one, std::mt19937& random) {
-        one.stick.sweep = Sweep::Sine; one.stick.period = between(0.25, 3.0, random); },
-        isOneOf<Finding::NotHeld, Finding::TravelTooSmall, Finding::Jitter>, 0.1, 0.9},
-    {"failing potentiometer", [](Case& one, std::mt19937& random) {
-        one.stick.spikeShare = between(0.12, 0.3, random); one.stick.spikeRun = 3; },
-        isOneOf<Finding::Jitter, Finding::NotStill>, 0.0, 0.05},
-    {"potentiometer at its rails", [](Case& one, std::mt19937& random) {
-        one.input = InputKind::Analog; one.stick.neutral = between(480, 540, random);
-        one.stick.low = -20; one.stick.high = 1040; one.stick.sigma = between(0, 2, random); }, never, 1.0, 1.0},
-    {"pulses beyond what is read", [](Case& one, std::mt19937& random) {
-        one.input = InputKind::Rc; one.stick.neutral = 3750; one.stick.low = 2500;
-        one.stick.high = between(6255, 6700, random); one.stick.sigma = between(0, 4, random); },
-        isOneOf<Finding::Saturated>, 0.0, 0.3},
-    {"RC pulses on analog", [](Case& one, std::mt19937& random) {
-        one.input = InputKind::Analog;
-        const double share = between(0.1, 0.25, random);
-        one.foreign = [share](double, std::mt19937& draw) {
-            return Chance(0, 1)(draw) < share ? static_cast<int>(Chance(20, 900)(draw))
-                                              : static_cast<int>(Chance(0, 3)(draw)); }; },
-        isOneOf<Finding::InputConfused>, 0.0, 0.0},
-    {"readings of the other kind", [](Case& one, std::mt19937& random) {
-        const bool isRc = one.input == InputKind::Rc;
-        const double at = isRc ? between(100, 900, random) : between(2500, 5000, random);
-        const double missing = isRc ? 0.0 : between(0, 0.3, random);
-        one.foreign = [at, missing](double, std::mt19937& draw) {
-            return Chance(0, 1)(draw) < missing ? int(kInvalidPulse)
-                                                : static_cast<int>(at + Chance(-2, 2)(draw)); }; },
-        isOneOf<Finding::InputConfused>, 0.0, 0.0},
-    {"floating analog input", [](Case& one, std::mt19937& random) {
-        one.input = InputKind::Analog;
-        const double period = between(3, 9, random);
-        one.foreign = [period](double at, std::mt19937& draw) {
-            return static_cast<int>(500 + 200 * std::sin(at / period * 6.28) + 60 * std::sin(at * 5)
-                                    + Chance(-8, 8)(draw)); }; },
-        isOneOf<Finding::NotStill, Finding::InputConfused>, 0.0, 0.0},
-    {"all of it", [](Case& one, std::mt19937& random) {
-        auto& stick = one.stick;
-        stick.sigma = between(0, 0.012, random) * stick.travel();
-        stick.spikeShare = between(0, 0.03, random);
-        stick.missingShare = one.input == InputKind::Rc ? between(0, 0.15, random) : 0.0;
-        stick.expo = between(1, 2, random);
-        stick.play = one.hasReturns ? between(0, 0.01, random) * stick.travel() : 0.0; },
-        isTooMuch, 0.7, 1.0},
-};
-// clang-format on
 
 struct Figures {
     int cases = 0;
     int accepted = 0;
-    int wrong = 0;
+    int wrong = 0; ///< accepted, and not what the stick is
+    int untold = 0; ///< a flaw not told, or declined for something else
+    int stale = 0; ///< a reading used that was repeated, old or invalid
     std::map<Finding, int> declined;
     double worstEnd = 0.0; ///< percent of the travel
     double worstNeutral = 0.0; ///< σ, of one count at least
@@ -365,6 +86,34 @@ bool isInside(double end, const EndWindow& window, const CalibrationRules& rules
         && end >= window.lowest && end <= window.highest;
 }
 
+/// The readings of an end's window are fresh, valid ones of its time, each of them once.
+bool isMadeOf(const EndWindow& window, const Played& played)
+{
+    int samples = 0;
+    for (const auto& [time, raw] : played.readings) {
+        const bool isIn = time >= window.from && time <= window.to;
+        samples += isIn && raw >= window.lowest && raw <= window.highest ? 1 : 0;
+    }
+    return window.samples == 0 || window.samples == samples;
+}
+
+bool usesOnlyWhatCame(const Played& played)
+{
+    const auto& learned = played.learned;
+    const int valid = static_cast<int>(played.readings.size());
+    return learned.samples <= valid && learned.missed <= played.fed - valid
+        && isMadeOf(learned.lowWindow, played) && isMadeOf(learned.highWindow, played);
+}
+
+bool isUntold(const Case& one, const Played& played)
+{
+    const auto& learned = played.learned;
+    const auto& stick = one.stick;
+    return (played.spikeShare > 0.02 && !learned.has(Finding::SomeJitter))
+        || (stick.missingShare > 0.05 && !learned.has(Finding::SomeMissing))
+        || (stick.sigma > 0.005 * stick.travel() && !learned.has(Finding::SomeNoise));
+}
+
 /// What is wrong with an accepted calibration; empty when it is right.
 QString wrongness(const Case& one, const Played& played, Figures& figures)
 {
@@ -405,11 +154,6 @@ QString wrongness(const Case& one, const Played& played, Figures& figures)
         || (goesHigh && !isInside(learned.highEnd, learned.highWindow, rules))) {
         return QStringLiteral("end outside of its window");
     }
-    if ((played.spikeShare > 0.02 && !learned.has(Finding::SomeJitter))
-        || (stick.missingShare > 0.05 && !learned.has(Finding::SomeMissing))
-        || (stick.sigma > 0.005 * travel && !learned.has(Finding::SomeNoise))) {
-        return QStringLiteral("does not tell what is wrong with it");
-    }
     if (!played.endsDone) {
         return QStringLiteral("ends never done");
     }
@@ -434,22 +178,23 @@ private:
 void TestLearnerProperties::sticks_areLearnedRightOrDeclinedForTheirReason_data()
 {
     QTest::addColumn<int>("row");
-    for (int row = 0; row < int(std::size(kClasses)); ++row) {
-        QTest::newRow(kClasses[row].name) << row;
+    for (int row = 0; row < int(std::size(kStickClasses)); ++row) {
+        QTest::newRow(kStickClasses[row].name) << row;
     }
 }
 
 void TestLearnerProperties::sticks_areLearnedRightOrDeclinedForTheirReason()
 {
     QFETCH(int, row);
-    const StickClass& kind = kClasses[row];
+    const StickClass& kind = kStickClasses[row];
     Figures& figures = m_figures[kind.name];
     QStringList problems;
-    std::mt19937 random(static_cast<unsigned>(1000 + row));
-    for (unsigned seed = 1; seed <= kCasesEach; ++seed) {
+    std::mt19937 random(static_cast<unsigned>(1000 + row) + firstSeed());
+    for (int i = 1; i <= casesEach(); ++i) {
+        const unsigned seed = firstSeed() + static_cast<unsigned>(i);
         Case one = usualCase(seed, random);
         kind.shape(one, random);
-        const Played played = Player(one, true).play();
+        const Played played = CasePlayer(one, true).play();
         const auto& learned = played.learned;
         ++figures.cases;
         QString problem;
@@ -457,19 +202,28 @@ void TestLearnerProperties::sticks_areLearnedRightOrDeclinedForTheirReason()
             const Finding reason = learned.findings.front();
             ++figures.declined[reason];
             problem = kind.isRight(reason, one) ? QString() : QStringLiteral("not the reason");
+            figures.untold += problem.isEmpty() ? 0 : 1;
         } else {
             ++figures.accepted;
             problem = wrongness(one, played, figures);
             figures.wrong += problem.isEmpty() ? 0 : 1;
+            if (problem.isEmpty() && isUntold(one, played)) {
+                problem = QStringLiteral("does not tell what is wrong with it");
+                ++figures.untold;
+            }
         }
-        if (learned.samples > played.fedValid || learned.missed > played.fed - played.fedValid) {
-            problem = QStringLiteral("counts readings that never came");
+        if (!usesOnlyWhatCame(played)) {
+            problem = QStringLiteral("uses readings that never came");
+            figures.stale += 1;
         }
         if (!problem.isEmpty()) {
             problems << problem + describe(one, seed, learned);
         }
     }
-    QVERIFY2(problems.isEmpty(),
+    // Of very many sticks, a few are told something else than what they were made for.
+    const int mostUntold = casesEach() > kCasesEach ? casesEach() / 100 : 0;
+    QVERIFY2(problems.isEmpty()
+                 || (figures.wrong + figures.stale == 0 && figures.untold <= mostUntold),
              qPrintable(QString::number(problems.size())
                         + problems.first(std::min<qsizetype>(4, problems.size())).join(u'\n')));
     const double accepted = double(figures.accepted) / figures.cases;
@@ -479,13 +233,13 @@ void TestLearnerProperties::sticks_areLearnedRightOrDeclinedForTheirReason()
 
 void TestLearnerProperties::staleSamples_haveNoInfluence()
 {
-    for (int row = 0; row < int(std::size(kClasses)); ++row) {
+    for (int row = 0; row < int(std::size(kStickClasses)); ++row) {
         std::mt19937 random(static_cast<unsigned>(5000 + row));
         for (unsigned seed = 1; seed <= 10; ++seed) {
             Case one = usualCase(seed, random);
-            kClasses[row].shape(one, random);
-            const auto poisoned = Player(one, true).play().learned;
-            const auto plain = Player(one, false).play().learned;
+            kStickClasses[row].shape(one, random);
+            const auto poisoned = CasePlayer(one, true).play().learned;
+            const auto plain = CasePlayer(one, false).play().learned;
             QCOMPARE(figuresText(poisoned, one.input), figuresText(plain, one.input));
             QCOMPARE(poisoned.findings, plain.findings);
             QCOMPARE(poisoned.calibration, plain.calibration);
@@ -498,26 +252,33 @@ void TestLearnerProperties::staleSamples_haveNoInfluence()
 
 void TestLearnerProperties::cleanupTestCase()
 {
-    int cases = 0;
-    int accepted = 0;
-    int wrong = 0;
-    std::printf("%-28s %6s %8s %6s %7s %9s  %s\n", "class", "cases", "accepted", "wrong", "end %",
-                "neutral σ", "declined for");
-    for (const StickClass& kind : kClasses) {
+    Figures all;
+    const auto print = [](const char* name, const Figures& figures, const QString& declined) {
+        const double share =
+            100.0 * (figures.cases - figures.accepted) / std::max(1, figures.cases);
+        std::printf("%-28s %7d %8d %6.2f %6d %6d %6d %6.2f %9.2f  %s\n", name, figures.cases,
+                    figures.accepted, share, figures.wrong, figures.untold, figures.stale,
+                    figures.worstEnd, figures.worstNeutral, qPrintable(declined));
+    };
+    std::printf("%-28s %7s %8s %6s %6s %6s %6s %6s %9s  %s\n", "class", "cases", "accepted",
+                "decl.%", "wrong", "untold", "stale", "end %", "neutral σ", "declined for");
+    for (const StickClass& kind : kStickClasses) {
         const Figures& figures = m_figures[kind.name];
         QString declined;
         for (const auto& [finding, count] : figures.declined) {
             declined +=
                 QStringLiteral("%1 %2  ").arg(QLatin1StringView(nameOf(finding))).arg(count);
         }
-        std::printf("%-28s %6d %8d %6d %7.2f %9.2f  %s\n", kind.name, figures.cases,
-                    figures.accepted, figures.wrong, figures.worstEnd, figures.worstNeutral,
-                    qPrintable(declined));
-        cases += figures.cases;
-        accepted += figures.accepted;
-        wrong += figures.wrong;
+        print(kind.name, figures, declined);
+        all.cases += figures.cases;
+        all.accepted += figures.accepted;
+        all.wrong += figures.wrong;
+        all.untold += figures.untold;
+        all.stale += figures.stale;
+        all.worstEnd = std::max(all.worstEnd, figures.worstEnd);
+        all.worstNeutral = std::max(all.worstNeutral, figures.worstNeutral);
     }
-    std::printf("%-28s %6d %8d %6d\n", "all", cases, accepted, wrong);
+    print("all", all, {});
     std::fflush(stdout);
 }
 

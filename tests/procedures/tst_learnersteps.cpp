@@ -22,6 +22,7 @@ private slots:
     void spikesAndHaste_areNoPush();
     void briefTouch_isNoPush();
     void othersMove_isNotSwappedWhileTheAskedStirs();
+    void otherStillMoving_isWatchedOnceItRests();
     void unlearnedChannel_isFoundToo();
     void returns_tellRepeatabilityAndHysteresis();
     void returns_skippedAreSaid();
@@ -152,6 +153,22 @@ void TestLearnerSteps::othersMove_isNotSwappedWhileTheAskedStirs()
     QVERIFY(!bench.learner.directionResult());
     bench.move(1, 4300, 500ms);
     QCOMPARE(bench.learner.directionResult(), (std::optional<DirectionResult>({1, 1, 1})));
+}
+
+void TestLearnerSteps::otherStillMoving_isWatchedOnceItRests()
+{
+    Bench bench;
+    bench.learnAll();
+    bench.learner.beginDirection(1);
+    for (int i = 0; i < 3; ++i) { // still played with while it is asked to rest
+        bench.move(2, 4600, 300ms);
+        bench.move(2, 3000, 300ms);
+    }
+    QVERIFY(bench.learner.isDirectionReady()); // it is not waited for for ever
+    QVERIFY(!bench.learner.directionResult());
+    bench.move(2, 3750, 500ms);
+    bench.move(2, 4600, 1s);
+    QCOMPARE(bench.learner.directionResult(), (std::optional<DirectionResult>({1, 2, 1})));
 }
 
 void TestLearnerSteps::unlearnedChannel_isFoundToo()

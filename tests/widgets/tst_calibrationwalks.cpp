@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole wizard, with its real widgets, over simulated sticks of all kinds.
+#include "tests/support/fasttime.h"
 #include "tests/widgets/calibrationpanelbench.h"
 #include "widgets/calibration/calibrationhistory.h"
 #include "widgets/calibration/responsecurveview.h"
@@ -16,6 +17,7 @@ namespace {
 
 using Bench = CalibrationPanelBench;
 
+constexpr double kSpeed = 6.0; // as fast as a hand
 constexpr std::uint8_t kFirstTwo = 0b00011;
 const QByteArray kStick = R"("stick":{"neutralSeconds":2.8,"sweepSeconds":3})";
 const QByteArray kOthersRest = R"({"channel":3,"wave":"hold"},{"channel":4,"wave":"hold"},)"
@@ -309,5 +311,13 @@ void TestCalibrationWalks::curve_showsBeforeAndAfter()
     bench.picture(u"curve-parabolic"_s);
 }
 
-QTEST_MAIN(TestCalibrationWalks)
+int main(int argc, char** argv)
+{
+    makeTimeFaster(kSpeed);
+    QApplication app(argc, argv);
+    TestCalibrationWalks test;
+    QTEST_SET_MAIN_SOURCE_PATH
+    return QTest::qExec(&test, argc, argv);
+}
+
 #include "tst_calibrationwalks.moc"

@@ -9,7 +9,6 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
-#include <QToolButton>
 
 using namespace Qt::Literals::StringLiterals;
 using namespace trex;
@@ -94,7 +93,7 @@ private slots:
     {
         Bench bench;
         bench.uiSettings.set(settings::kHoldSpeed, 40);
-        bench.part<QToolButton>(u"motors.padShown"_s)->click();
+        bench.part<QPushButton>(u"motors.padShown"_s)->click();
         auto* pad = bench.part<DrivePad>(u"motors.pad"_s);
         QVERIFY(pad->isVisible() && !pad->isEnabled());
         QVERIFY(!bench.part<QSlider>(u"motors.motor1.slider"_s)->isVisible());
@@ -127,7 +126,7 @@ private slots:
     {
         QFETCH(int, loss);
         Bench bench;
-        bench.part<QToolButton>(u"motors.padShown"_s)->click();
+        bench.part<QPushButton>(u"motors.padShown"_s)->click();
         QVERIFY(arm(bench));
         auto* pad = bench.part<DrivePad>(u"motors.pad"_s);
         press(pad, Qt::Key_Up);
@@ -195,7 +194,7 @@ private slots:
     void padMouse_springsBackAtTheRelease()
     {
         Bench bench;
-        bench.part<QToolButton>(u"motors.padShown"_s)->click();
+        bench.part<QPushButton>(u"motors.padShown"_s)->click();
         QVERIFY(arm(bench));
         auto* pad = bench.part<DrivePad>(u"motors.pad"_s);
         QTest::mousePress(pad, Qt::LeftButton, {}, {pad->width() / 2, pad->height() / 4});
@@ -209,7 +208,7 @@ private slots:
     void stop_springsBackAndNothingFollows()
     {
         Bench bench;
-        bench.part<QToolButton>(u"motors.padShown"_s)->click();
+        bench.part<QPushButton>(u"motors.padShown"_s)->click();
         QVERIFY(arm(bench));
         auto* pad = bench.part<DrivePad>(u"motors.pad"_s);
         press(pad, Qt::Key_Up);

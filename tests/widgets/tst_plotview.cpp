@@ -109,6 +109,7 @@ private slots:
     void valueAxis_growsAtOnceAndShrinksSlowly();
     void hiddenCurve_isNotPainted();
     void repaint_onlyWhenThereIsSomethingNew();
+    void paused_repaintsNothingThatIsOutOfSight();
     void theme_changesTheColours();
     void ticks_areNice();
 };
@@ -389,6 +390,27 @@ void TestPlotView::repaint_onlyWhenThereIsSomethingNew()
     }
     QCOMPARE(bench.ticker.framesPainted(), before);
     bench.feed(20ms, 50, 10);
+    bench.settle();
+    QTRY_VERIFY(bench.ticker.framesPainted() > before);
+}
+
+void TestPlotView::paused_repaintsNothingThatIsOutOfSight()
+{
+    PlotBench bench;
+    bench.feed(20s, 50, 10);
+    bench.plot.setPaused(true);
+    bench.settle();
+    QTRY_VERIFY(bench.ticker.framesPainted() > 0);
+    QCoreApplication::processEvents();
+    bench.feed(1s, 50, 10); // behind the right edge
+    bench.settle();
+    const quint64 before = bench.ticker.framesPainted();
+    for (int i = 0; i < 20; ++i) {
+        bench.feed(50ms, 50, 10);
+        bench.settle();
+    }
+    QCOMPARE(bench.ticker.framesPainted(), before);
+    bench.store.clear(); // that is to be seen
     bench.settle();
     QTRY_VERIFY(bench.ticker.framesPainted() > before);
 }

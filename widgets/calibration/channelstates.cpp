@@ -88,9 +88,10 @@ ChannelState extremesState(const ChannelCalibration& calibration, const ChannelL
     const int least = calibrationRules(input).neededTravel / 10; // less is noise
     const bool hasMoved = std::max(learner.lowTravel(), learner.highTravel()) >= least;
     return {StateShape::Off,
-            isReached      ? Texts::tr("hold on")
-                : hasMoved ? Texts::tr("moving")
-                           : Texts::tr("waiting"),
+            learner.areEndsVague() ? Texts::tr("hold longer")
+                : isReached        ? Texts::tr("hold on")
+                : hasMoved         ? Texts::tr("moving")
+                                   : Texts::tr("waiting"),
             detail,
             {}};
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/frameticker.h"
 
+#include <QGuiApplication>
 #include <QMetaMethod>
 #include <QTimerEvent>
+#include <QWindow>
 
 #include <algorithm>
 #include <vector>
@@ -12,6 +14,7 @@ namespace trex {
 namespace {
 
 constexpr qsizetype kMostDurations = 4096; ///< over two minutes of frames
+constexpr int kUnseenTicks = 15; ///< of which one is told while nobody can see anything
 
 double quantile(const QList<float>& durations, double part)
 {
@@ -51,10 +54,28 @@ double FrameTicker::percentile95Ms() const
     return quantile(m_durations, 0.95);
 }
 
+bool FrameTicker::isEverythingMinimised()
+{
+    bool isAnyVisible = false;
+    const QWindowList windows = QGuiApplication::topLevelWindows();
+    for (const QWindow* window : windows) {
+        const bool isMinimised = window->windowStates().testFlag(Qt::WindowMinimized);
+        if (window->isVisible() && window->isExposed() && !isMinimised) {
+            return false;
+        }
+        isAnyVisible = isAnyVisible || window->isVisible();
+    }
+    return isAnyVisible;
+}
+
 void FrameTicker::timerEvent(QTimerEvent* event)
 {
-    if (event->timerId() == m_timer.timerId()
-        && isSignalConnected(QMetaMethod::fromSignal(&FrameTicker::tick))) {
+    if (event->timerId() != m_timer.timerId()) {
+        return;
+    }
+    const bool isDue = !isEverythingMinimised() || m_untold + 1 >= kUnseenTicks;
+    m_untold = isDue ? 0 : m_untold + 1;
+    if (isDue && isSignalConnected(QMetaMethod::fromSignal(&FrameTicker::tick))) {
         emit tick();
     }
 }

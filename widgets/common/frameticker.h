@@ -6,7 +6,8 @@
 
 namespace trex {
 
-/// Ticks 30 times a second while somebody listens; views pull what is new then, instead of getting
+/// Ticks 30 times a second while somebody listens, twice while all windows are minimised (files are
+/// written on a tick too); views pull what is new then, instead of getting
 /// a signal for each sample. GUI thread.
 class FrameTicker : public QObject {
     Q_OBJECT
@@ -15,6 +16,7 @@ class FrameTicker : public QObject {
 public:
     explicit FrameTicker(QObject* parent = nullptr);
     static constexpr int kIntervalMs = 33;
+    [[nodiscard]] static bool isEverythingMinimised();
 
     /// Views report the time that painting a frame took, for the metrics of the report.
     void framePainted(double milliseconds);
@@ -30,6 +32,7 @@ protected:
 
 private:
     QBasicTimer m_timer;
+    int m_untold = 0; ///< ticks that were left out in a row
     quint64 m_frames = 0;
     QList<float> m_durations; ///< the latest frames, bounded
 };

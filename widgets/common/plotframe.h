@@ -7,6 +7,7 @@
 #include <QFont>
 #include <QRectF>
 
+#include <array>
 #include <vector>
 
 namespace trex {
@@ -36,6 +37,11 @@ struct PlotFrame {
         QString text;
         QColor colour;
     };
+    /// A run that is compared with, for the legend.
+    struct Run {
+        QString name;
+        Dash dash = Dash::Dashed;
+    };
     struct Colours {
         QColor panel;
         QColor grid;
@@ -63,6 +69,7 @@ struct PlotFrame {
     QFont font;
     std::vector<Curve> curves;
     std::vector<Curve> references; ///< behind the curves
+    std::vector<Run> runs; ///< whose curves the references are
     std::vector<Limit> limits;
     const MarkTrack* marks = nullptr;
     std::optional<Instant> shownMark; ///< jumped to: it is pointed out
@@ -76,6 +83,9 @@ struct PlotFrame {
     [[nodiscard]] Instant timeAt(double x) const;
     [[nodiscard]] double physicalAt(double y) const;
 };
+
+/// Lengths drawn and left out, in turn, in pixels.
+[[nodiscard]] const std::array<double, 4>& dashPattern(PlotFrame::Dash dash);
 
 /// "2.20 A": a physical value with its decimals and unit.
 [[nodiscard]] QString valueText(double physical, int decimals, const QString& unit);

@@ -42,6 +42,7 @@ void PlotOverlay::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
     painter->setFont(m_frame.font);
     painter->setClipRect(boundingRect());
     paintLimits(*painter);
+    paintRuns(*painter);
     paintMarks(*painter);
     paintLevel(*painter);
     paintCursors(*painter);
@@ -64,24 +65,67 @@ void PlotOverlay::paintLimits(QPainter& painter) const
 {
     const QRectF& area = m_frame.area;
     const QFontMetricsF metrics(m_frame.font);
-    double left = area.left() + 8.0;
+    const auto isInSight = [&](const PlotFrame::Limit& limit) {
+        return limit.physical >= m_frame.low && limit.physical <= m_frame.high;
+    };
     for (const PlotFrame::Limit& limit : m_frame.limits) {
-        const double y = std::round(m_frame.yOf(limit.physical));
-        if (y < area.top() || y > area.bottom()) {
+        if (isInSight(limit)) {
+            const double y = std::round(m_frame.yOf(limit.physical));
+            QPen pen(limit.colour, 1.2, Qt::CustomDashLine);
+            pen.setDashPattern({8.0, 4.0});
+            painter.setPen(pen);
+            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        }
+    }
+    QColor fill = m_frame.colours.panel;
+    fill.setAlpha(225);
+    double left = area.left() + 8.0;
+    for (const PlotFrame::Limit& limit : m_frame.limits) { // names over all lines
+        if (!isInSight(limit)) {
             continue;
         }
-        QPen pen(limit.colour, 1.2, Qt::CustomDashLine);
-        pen.setDashPattern({8.0, 4.0});
-        painter.setPen(pen);
-        painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        const double y = std::round(m_frame.yOf(limit.physical));
         const double width = metrics.horizontalAdvance(limit.text) + 2 * kTagPadding;
         const double height = metrics.height();
         // Above its line, unless the sky is too low; one limit's name beside the other's.
         const double top = y - height - 1.0 < area.top() ? y + 1.0 : y - height - 1.0;
-        QColor fill = m_frame.colours.panel;
-        fill.setAlpha(215);
         paintTag(painter, QRectF(left, top, width, height), limit.text, limit.colour, fill);
         left += width + 8.0;
+    }
+}
+
+/// The runs that are compared with, by their dashes, at the top right of the topmost plot.
+void PlotOverlay::paintRuns(QPainter& painter) const
+{
+    if (!m_frame.showsMarkSigns) {
+        return;
+    }
+    constexpr double kLine = 30.0;
+    const QFontMetricsF metrics(m_frame.font);
+    const double height = metrics.height() + 2.0;
+    double top = m_frame.area.top() + kSignTop + kSign + 4.0;
+    QColor fill = m_frame.colours.panel;
+    fill.setAlpha(225);
+    for (const PlotFrame::Run& run : m_frame.runs) {
+        const QString text = metrics.elidedText(run.name, Qt::ElideRight, m_frame.area.width() / 2);
+        const double width = metrics.horizontalAdvance(text) + kLine + 4 * kTagPadding;
+        const QRectF box(m_frame.area.right() - width - 4.0, top, width, height);
+        paintTag(painter, box, {}, m_frame.colours.text, fill);
+        QPen pen(m_frame.colours.text, 1.6, Qt::CustomDashLine, Qt::FlatCap);
+        const auto& pattern = dashPattern(run.dash);
+        QList<qreal> dashes;
+        for (const double length : pattern) {
+            dashes.append(length / pen.widthF());
+        }
+        pen.setDashPattern(dashes);
+        painter.setPen(pen);
+        const double y = std::round(box.center().y());
+        painter.drawLine(QPointF(box.left() + kTagPadding, y),
+                         QPointF(box.left() + kTagPadding + kLine, y));
+        painter.setPen(m_frame.colours.text);
+        painter.drawText(box.adjusted(0, 0, -kTagPadding, 0), Qt::AlignRight | Qt::AlignVCenter,
+                         text);
+        top += height + 1.0;
     }
 }
 

@@ -36,6 +36,7 @@ private:
     [[nodiscard]] std::vector<Group> groups() const;
     [[nodiscard]] QColor colourOf(MarkWeight weight) const;
     [[nodiscard]] QRectF signAt(double x) const;
+    void paintRuns(QPainter& painter) const;
     void paintLimits(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
     void paintSign(QPainter& painter, const Group& group) const;

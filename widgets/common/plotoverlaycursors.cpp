@@ -93,7 +93,7 @@ void PlotOverlay::paintCursor(QPainter& painter, int index, double x) const
     const QFontMetricsF metrics(m_frame.font);
     const Instant time = *m_frame.cursors.at(static_cast<std::size_t>(index));
     const QString text = QStringLiteral("%1  %2")
-                             .arg(index == 0 ? u'A' : u'B')
+                             .arg(index == 0 ? QStringLiteral("A") : QStringLiteral("B"))
                              .arg(timeText(m_frame, time - m_frame.origin));
     const double width = metrics.horizontalAdvance(text) + 2 * kTagPadding;
     const double left =

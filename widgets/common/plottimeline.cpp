@@ -305,9 +305,7 @@ void PlotTimeline::showNextMark()
     const bool isSeen = m_shownMark && *m_shownMark >= from() && *m_shownMark <= from() + span();
     const Instant here = isSeen ? *m_shownMark : from() + span() / 2;
     if (const Mark* mark = m_marks != nullptr ? m_marks->after(here) : nullptr) {
-        m_shownMark = mark->time;
-        show(mark->time);
-        emit cursorsChanged();
+        showMark(mark->time);
     }
 }
 
@@ -317,10 +315,15 @@ void PlotTimeline::showPreviousMark()
     const bool isSeen = m_shownMark && *m_shownMark >= from() && *m_shownMark <= from() + span();
     const Instant here = isSeen ? *m_shownMark : from() + span();
     if (const Mark* mark = m_marks != nullptr ? m_marks->before(here) : nullptr) {
-        m_shownMark = mark->time;
-        show(mark->time);
-        emit cursorsChanged();
+        showMark(mark->time);
     }
+}
+
+void PlotTimeline::showMark(Instant time)
+{
+    m_shownMark = time;
+    show(time);
+    emit cursorsChanged();
 }
 
 } // namespace trex

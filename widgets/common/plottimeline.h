@@ -46,6 +46,7 @@ public:
     [[nodiscard]] bool isPaused() const { return m_view.isPaused; }
     void setLive(bool live); ///< data is expected now, so that time goes on by itself
     [[nodiscard]] bool isLive() const { return m_isLive; }
+    [[nodiscard]] bool isStanding() const { return isPaused() || m_capture.has_value(); }
     /// What is shown while following, instead of the newest; none: the newest again.
     void setCapture(std::optional<TimeRange> capture);
 
@@ -85,6 +86,7 @@ public:
     [[nodiscard]] const MarkTrack* marks() const { return m_marks; }
     void showNextMark();
     void showPreviousMark();
+    void showMark(Instant time); ///< moves it into sight and points it out
     [[nodiscard]] std::optional<Instant> shownMark() const { return m_shownMark; }
 
 signals:

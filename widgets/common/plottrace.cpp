@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTraceWidth = 1.6;
 constexpr double kDotRadius = 1.8;
-constexpr int kColumnAlpha = 190; ///< columns cover each other; the curve behind shows through
+constexpr int kColumnAlpha = 210; ///< columns cover each other; the curve behind shows through
 /// Up to so many samples a column they are joined by a line; above, columns show their extremes.
 constexpr double kMostJoined = 2.5;
 constexpr double kLabelSpacing = 84.0; ///< at least, between two time labels
@@ -27,11 +27,6 @@ constexpr std::array<Pattern, 4> kPatterns{Pattern{1.0, 0.0, 0.0, 0.0}, Pattern{
                                            Pattern{2.0, 3.0, 2.0, 3.0},
                                            Pattern{9.0, 3.0, 2.0, 3.0}};
 constexpr double kLongestDashed = 20'000.0;
-
-const Pattern& patternOf(PlotFrame::Dash dash)
-{
-    return kPatterns.at(static_cast<std::size_t>(dash));
-}
 
 double secondsOf(Duration duration)
 {
@@ -59,6 +54,11 @@ Instant PlotFrame::timeAt(double x) const
 double PlotFrame::physicalAt(double y) const
 {
     return low + (area.bottom() - y) / area.height() * (high - low);
+}
+
+const std::array<double, 4>& dashPattern(PlotFrame::Dash dash)
+{
+    return kPatterns.at(static_cast<std::size_t>(dash));
 }
 
 QString valueText(double physical, int decimals, const QString& unit)
@@ -223,10 +223,19 @@ void PlotTrace::addClipped(const QLineF& line)
 void PlotTrace::addLine(const QPointF& from, const QPointF& to, PlotFrame::Dash dash)
 {
     const QLineF line(from, to);
-    const auto& pattern = patternOf(dash);
+    if (from == to) {
+        return; // its caps would be a dot
+    }
+    const auto& pattern = dashPattern(dash);
     const double length = line.length();
-    if (dash == PlotFrame::Dash::Solid || length == 0.0) {
-        addClipped(line);
+    if (dash == PlotFrame::Dash::Solid) {
+        const bool goesOn = !m_lines.isEmpty() && m_lines.last().p2() == from
+            && m_lines.last().y1() == to.y() && from.y() == to.y();
+        if (goesOn && m_frame.area.contains(to)) {
+            m_lines.last().setP2(to); // level stretches are one line: no caps within
+        } else {
+            addClipped(line);
+        }
         return;
     }
     const double period = std::accumulate(pattern.begin(), pattern.end(), 0.0);

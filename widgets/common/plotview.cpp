@@ -59,7 +59,7 @@ PlotView::PlotView(const TelemetryStore& store, FrameTicker& ticker, QWidget* pa
     connect(&ticker, &FrameTicker::tick, this, &PlotView::refresh);
     connect(chart(), &QChart::plotAreaChanged, this, [this] {
         redraw();
-        emit axisExtentChanged();
+        noteAxisExtent();
     });
     connect(m_timeline, &PlotTimeline::pausedChanged, this, &PlotView::pausedChanged);
     connect(m_timeline, &PlotTimeline::cursorsChanged, this, &PlotView::redraw);
@@ -142,20 +142,24 @@ void PlotView::applyValueAxis()
 
 void PlotView::applyMargins()
 {
-    const double present = axisExtent();
-    const int room = static_cast<int>(std::ceil(std::max(m_axisExtent - present, 0.0)));
+    const int room = static_cast<int>(std::max(m_axisExtent - m_ownExtent, 0.0));
     const int below = m_frame->showsTimes ? static_cast<int>(PlotTrace::kLabelStrip) + 2 : 4;
     const int above = chart()->legend()->isVisible() ? 0 : 4;
-    const QMargins margins(kLeftMargin + (m_axisExtent > 0.0 ? room : 0), above, kRightMargin,
-                           below);
+    const QMargins margins(kLeftMargin + room, above, kRightMargin, below);
     if (chart()->margins() != margins) {
         chart()->setMargins(margins);
     }
 }
 
-double PlotView::axisExtent() const
+/// Right after a layout only: later the margins may be newer than the area.
+void PlotView::noteAxisExtent()
 {
-    return std::max(chart()->plotArea().left() - chart()->margins().left(), 0.0);
+    const double extent =
+        std::ceil(std::max(chart()->plotArea().left() - chart()->margins().left(), 0.0));
+    if (extent != m_ownExtent) {
+        m_ownExtent = extent;
+        emit axisExtentChanged();
+    }
 }
 
 void PlotView::setAxisExtent(double pixels)
@@ -218,6 +222,7 @@ void PlotView::place()
             last = std::max(last.value_or(time), time);
         }
     }
+    m_drawnTo = last;
     m_frame->staleFrom.reset();
     if (m_timeline->isLive() && last && m_timeline->now() - *last > kStaleAfter) {
         m_frame->staleFrom = last;
@@ -285,12 +290,20 @@ void PlotView::refresh()
     if (!isVisible() || viewport()->visibleRegion().isEmpty()) {
         return;
     }
-    const Instant now = m_timeline->now();
     const quint64 marks = m_timeline->marks() != nullptr ? m_timeline->marks()->revision() : 0;
-    const bool isNew = m_timeline->store().revision() != m_drawnRevision || marks != m_drawnMarks;
-    const bool isTimeDue = m_timeline->isLive() && !m_timeline->isPaused() && m_drawnAt
-        && now - *m_drawnAt >= kIdleRefresh;
-    if (isNew || isTimeDue) {
+    bool isNew = m_timeline->store().revision() != m_drawnRevision;
+    bool isTimeDue = false;
+    if (m_timeline->isStanding()) { // what comes behind is not in sight
+        m_timeline->place();
+        isNew = isNew
+            && (m_timeline->store().clears() != m_drawnClears || !m_drawnTo
+                || *m_drawnTo < m_frame->from + m_frame->span);
+        isTimeDue = m_timeline->from() != m_frame->from || m_timeline->span() != m_frame->span;
+    } else {
+        isTimeDue =
+            m_timeline->isLive() && m_drawnAt && m_timeline->now() - *m_drawnAt >= kIdleRefresh;
+    }
+    if (isNew || isTimeDue || marks != m_drawnMarks) {
         redraw();
     }
 }
@@ -298,12 +311,13 @@ void PlotView::refresh()
 void PlotView::redraw()
 {
     m_drawnRevision = m_timeline->store().revision();
+    m_drawnClears = m_timeline->store().clears();
     m_drawnMarks = m_timeline->marks() != nullptr ? m_timeline->marks()->revision() : 0;
     m_drawnAt = m_timeline->now();
     m_frame->area = chart()->plotArea();
     place();
-    fitValues(false);
     fillReferences();
+    fitValues(false);
     m_trace->setFrame(*m_frame);
     m_overlay->setFrame(*m_frame);
 }

@@ -19,11 +19,10 @@ class PlotOverlay;
 class PlotReferences;
 class PlotTrace;
 struct PlotFrame;
-
 /// A live plot of streams of the store over time. Qt Charts gives the chart, its value axis, legend
-/// and layout; the traces and what lies over them are ours (PlotTrace, PlotOverlay). What part of
-/// time is shown says its PlotTimeline, which plots can share. Mouse and keys: PlotInput. Repaints
-/// at most once a tick, and only when there is something new and it is visible. GUI thread.
+/// and layout; the traces and what lies over them are ours (PlotTrace, PlotOverlay). Its part of
+/// time is its PlotTimeline's, which plots can share. Mouse and keys: PlotInput. Repaints at most
+/// once a tick, and only what is new and visible. GUI thread.
 class PlotView : public QChartView {
     Q_OBJECT
     Q_PROPERTY(bool paused READ isPaused WRITE setPaused NOTIFY pausedChanged)
@@ -36,7 +35,6 @@ class PlotView : public QChartView {
 public:
     static constexpr int kWholeSession = PlotTimeline::kWholeSession;
     using Clock = PlotTimeline::Clock;
-
     /// `shared`: shows the same part of time as others; null: its own.
     PlotView(const TelemetryStore& store, FrameTicker& ticker, QWidget* parent = nullptr,
              PlotTimeline* shared = nullptr);
@@ -72,8 +70,8 @@ public:
     [[nodiscard]] bool isPaused() const { return m_timeline->isPaused(); }
     void setLive(bool live); ///< data is expected now: time goes on, and silence shows as such
     void setMessage(const QString& message); ///< said in the plot; "" for none
-    enum class Tool { Zoom, Pan }; ///< what dragging with the left button does
-    void setTool(Tool tool);
+    enum class Tool { Zoom, Pan };
+    void setTool(Tool tool); ///< what dragging with the left button does
     void fit() { m_timeline->fit(); } ///< everything recorded, values fitted
     void follow() { m_timeline->follow(); } ///< the newest, in the window's length, values fitted
     void zoomTime(double factor, double about = 0.5) { m_timeline->zoom(factor, about); }
@@ -84,7 +82,7 @@ public:
     // In a stack of plots:
     void setPlaceInStack(bool isTop, bool isBottom); ///< who shows times, who signs of marks
     void setLegendShown(bool shown);
-    [[nodiscard]] double axisExtent() const; ///< pixels that the value axis takes
+    [[nodiscard]] double axisExtent() const { return m_ownExtent; } ///< pixels of the value axis
     void setAxisExtent(double pixels); ///< takes at least so many: areas of a stack line up
     [[nodiscard]] const PlotFrame& frame() const { return *m_frame; }
     [[nodiscard]] const PlotOverlay& overlay() const { return *m_overlay; }
@@ -96,8 +94,6 @@ public:
     [[nodiscard]] QImage picture(double scale = 2.0); ///< as shown, at a multiple of its size
     void setClock(Clock clock); ///< the steady clock unless told otherwise (tests)
     void setRubberBand(const QRectF& box);
-
-public slots:
     void refresh(); ///< draws what is new, if there is something and it can be seen
     void redraw(); ///< now, whether new or not
 
@@ -122,6 +118,7 @@ private:
     void applyColours();
     void applyValueAxis();
     void applyMargins();
+    void noteAxisExtent();
     void place(); ///< the part of time that is due, into the frame
     void fitValues(bool atOnce);
     void fillReferences();
@@ -141,9 +138,12 @@ private:
     QString m_unit;
     ticks::AxisRange m_range{1.0};
     int m_number; ///< at the timeline
-    double m_axisExtent = 0.0; ///< 0: as it comes
-    quint64 m_drawnRevision = 0;
+    double m_ownExtent = 0.0; ///< pixels that the value axis takes
+    double m_axisExtent = 0.0; ///< that it shall take at least
+    quint64 m_drawnRevision = 0; ///< what the last frame showed
     quint64 m_drawnMarks = 0;
+    int m_drawnClears = 0;
+    std::optional<Instant> m_drawnTo; ///< the newest sample of its curves then
     std::optional<Instant> m_drawnAt;
 };
 

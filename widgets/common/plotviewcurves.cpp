@@ -136,6 +136,7 @@ void PlotView::setReferences(const PlotReferences* references)
 void PlotView::fillReferences()
 {
     m_frame->references.clear();
+    m_frame->runs.clear();
     if (m_references == nullptr) {
         return;
     }
@@ -146,6 +147,7 @@ void PlotView::fillReferences()
         if (!shift) {
             continue;
         }
+        m_frame->runs.push_back({runs[i].name, dashOf(i)});
         for (const PlotFrame::Curve& own : m_frame->curves) {
             if (!own.isVisible) {
                 continue;

@@ -21,6 +21,9 @@ inline const Setting<QByteArray> kLayout{QStringLiteral("ui/layout"), QByteArray
 inline const Setting<int> kHistoryMiB{QStringLiteral("telemetry/memory"), 512};
 inline constexpr int kLeastHistoryMiB = 32; ///< hours, and more than the flight recorder keeps
 inline const Setting<int> kPlotWindowSeconds{QStringLiteral("currents/window"), 10};
+inline const Setting<int> kPlotsWindowSeconds{QStringLiteral("plots/window"), 10};
+inline const Setting<QByteArray> kPlotsLayout{QStringLiteral("plots/layout"),
+                                              QByteArray()}; ///< JSON, plotlayout.h
 inline const Setting<QString> kRecordingFolder{QStringLiteral("recording/folder"),
                                                QString()}; ///< "": among the documents
 inline const Setting<bool> kRecordingPackets{QStringLiteral("recording/packets"), false};

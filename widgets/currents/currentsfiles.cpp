@@ -5,6 +5,7 @@
 #include "protocol/errortext.h"
 #include "protocol/session/controller.h"
 #include "protocol/storage/csvexport.h"
+#include "protocol/telemetry/marktrack.h"
 #include "widgets/common/eventlog.h"
 #include "widgets/common/filedialogs.h"
 #include "widgets/common/plotticks.h"
@@ -34,6 +35,10 @@ void CurrentsPanel::clearSamples()
         context().log.add(EventLog::Failure, errorText(pumped.error()));
     }
     context().store.clear();
+    if (context().marks != nullptr) {
+        context().marks->clear(); // their times mean nothing without the samples
+    }
+    m_plot->timeline().clearCursors();
     m_latest.reset();
     m_plot->follow();
     updateDevice();

@@ -4,6 +4,8 @@
 #include "protocol/session/controller.h"
 #include "protocol/session/devicesettings.h"
 #include "widgets/common/frameticker.h"
+#include "widgets/common/measurementview.h"
+#include "widgets/common/plotlimits.h"
 #include "widgets/common/plotview.h"
 #include "widgets/common/uisettings.h"
 #include "widgets/currents/currentreadout.h"
@@ -49,22 +51,29 @@ CurrentsPanel::CurrentsPanel(PanelContext& panelContext, QWidget* parent)
     , m_recorder(panelContext.store)
     , m_plot(named(new PlotView(panelContext.store, panelContext.ticker, this), u"currents.plot"_s,
                    tr("Motor currents over time")))
+    , m_measurement(new MeasurementView(m_plot->timeline(), panelContext.ticker,
+                                        u"currents.measurement"_s, this))
 {
     setObjectName(u"currents"_s);
     m_plot->addCurve("motor1-current", ColourRole::Motor1);
     m_plot->addCurve("motor2-current", ColourRole::Motor2);
     m_plot->setUnit(u"A"_s);
     m_plot->setSmallestTop(kSmallestTopAmperes);
+    m_plot->timeline().setMarks(panelContext.marks);
+    m_measurement->setPlots({m_plot});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 8);
     layout->setSpacing(4);
     layout->addWidget(makeToolRow());
     layout->addWidget(m_plot, 1);
+    layout->addWidget(m_measurement);
     layout->addWidget(makeReadOutRow());
     connectPlot();
+    connectCursors();
     connectContext();
     m_sinceReadOuts.start();
     updateDevice();
+    m_plot->setLimits(currentLimits(context().deviceSettings));
     showRecording();
 }
 
@@ -106,6 +115,9 @@ QWidget* CurrentsPanel::makeToolRow()
     auto* fit = addButton(row, u"currents.fit"_s, u"fit"_s, tr("Show everything"),
                           tr("Show everything recorded in this session"));
     connect(fit, &QToolButton::clicked, m_plot, &PlotView::fit);
+    m_cursors = addButton(row, u"currents.cursors"_s, u"cursors"_s, tr("Cursors"),
+                          tr("Two cursors to measure with (1 and 2 in the plot)"));
+    m_cursors->setCheckable(true);
     row->addStretch(1);
     m_record = addButton(row, u"currents.record"_s, u"record"_s, tr("Record"), {});
     m_record->setCheckable(true);
@@ -175,6 +187,24 @@ void CurrentsPanel::connectPlot()
     connect(m_plot, &PlotView::viewChanged, this, &CurrentsPanel::updateReadOuts);
 }
 
+void CurrentsPanel::connectCursors()
+{
+    PlotTimeline& timeline = m_plot->timeline();
+    connect(m_cursors, &QToolButton::clicked, this, [&timeline](bool on) {
+        if (!on) {
+            timeline.clearCursors();
+            return;
+        }
+        const TimeRange range = timeline.range();
+        const Duration third = (range.to - range.from) / 3;
+        timeline.setActiveCursor(0);
+        timeline.setCursor(0, range.from + third);
+        timeline.setCursor(1, range.to - third);
+    });
+    connect(&timeline, &PlotTimeline::cursorsChanged, this,
+            [this, &timeline] { m_cursors->setChecked(timeline.cursor(0) || timeline.cursor(1)); });
+}
+
 void CurrentsPanel::connectContext()
 {
     Controller& controller = context().controller;
@@ -182,10 +212,12 @@ void CurrentsPanel::connectContext()
     connect(&controller, &Controller::stateChanged, this, &CurrentsPanel::onStateChanged);
     connect(&controller, &Controller::deviceChanged, this, &CurrentsPanel::updateDevice);
     connect(&context().deviceSettings, &DeviceSettings::forgotten, this, [this] {
+        m_plot->setLimits({});
         updateDevice();
         readMotorMode();
     });
     connect(&context().deviceSettings, &DeviceSettings::parameterChanged, this, [this](int number) {
+        m_plot->setLimits(currentLimits(context().deviceSettings));
         if (number == kMotorMode.number) {
             updateDevice();
         }

@@ -16,6 +16,7 @@ class QToolButton;
 namespace trex {
 
 class CurrentReadOut;
+class MeasurementView;
 class PlotView;
 
 /// Live plot of both motor currents with their present, peak and mean values, recording and export.
@@ -42,6 +43,7 @@ private:
                            const QString& text, const QString& toolTip);
     void makeExportMenu();
     void connectPlot();
+    void connectCursors();
     void connectContext();
 
     void onTick();
@@ -61,8 +63,10 @@ private:
 
     CsvRecorder m_recorder;
     PlotView* m_plot;
+    MeasurementView* m_measurement;
     QComboBox* m_window = nullptr;
     QToolButton* m_pause = nullptr;
+    QToolButton* m_cursors = nullptr;
     QToolButton* m_export = nullptr;
     QToolButton* m_record = nullptr;
     std::array<CurrentReadOut*, 2> m_readOuts{};

@@ -75,6 +75,16 @@ void DrivePad::springBack()
     set(0, 0);
 }
 
+void DrivePad::steer(int forward, int turn)
+{
+    const bool isNeutral = forward == 0 && turn == 0;
+    const bool isUsable = isVisible() && isEnabled() && isActiveWindow() && !m_hold.isHeld();
+    m_isSteerStale = !isNeutral && (m_isSteerStale || !isUsable);
+    if (!m_hold.isHeld()) {
+        m_isSteerStale ? set(0, 0) : set(forward, turn);
+    }
+}
+
 void DrivePad::followMouse(const QPointF& position)
 {
     const QRectF area = field().adjusted(kHandle, kHandle, -kHandle, -kHandle);

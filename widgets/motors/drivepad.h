@@ -22,6 +22,9 @@ public:
     [[nodiscard]] int turn() const { return m_turn; } ///< −127 (left) to 127
     void setKeySpeed(int speed) { m_keySpeed = speed; } ///< what an arrow key stands for, 1 to 127
     void springBack(); ///< to neutral, as if let go
+    /// By a gamepad, whose own button is the hold; a mouse or a key that is held goes first. What
+    /// was held while the pad could not be used has to be let go once.
+    void steer(int forward, int turn);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -47,6 +50,7 @@ private:
     int m_forward = 0;
     int m_turn = 0;
     int m_keySpeed = 40;
+    bool m_isSteerStale = false;
 };
 
 } // namespace trex

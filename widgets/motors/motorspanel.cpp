@@ -10,6 +10,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/common/uisettings.h"
 #include "widgets/motors/drivepad.h"
+#include "widgets/motors/gamepad.h"
 #include "widgets/motors/motorrow.h"
 #include "widgets/motors/safetydialog.h"
 #include "widgets/motors/timeoutbanner.h"
@@ -22,7 +23,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace trex {
@@ -106,13 +106,12 @@ void MotorsPanel::makeOptions()
                    tr("Motors run only while a control is held"));
     m_hold->setToolTip(tr("A slider springs to zero when it is let go, loses the focus, or its "
                           "window goes behind another."));
-    m_padShown = named(new QToolButton(this), u"motors.padShown"_s, tr("Show the drive pad"));
-    m_padShown->setText(tr("Drive pad"));
+    m_padShown = named(new QPushButton(tr("Drive pad"), this), u"motors.padShown"_s,
+                       tr("Show the drive pad"));
     m_padShown->setCheckable(true);
     m_padShown->setToolTip(tr("Drives both motors like one stick, in place of their sliders."));
-    auto* more = named(new QToolButton(this), u"motors.more"_s, tr("More about the motors"));
-    more->setText(tr("More"));
-    more->setPopupMode(QToolButton::InstantPopup);
+    auto* more = named(new QPushButton(theme::icon(u"settings"_s), tr("More"), this),
+                       u"motors.more"_s, tr("More about the motors"));
     auto* menu = new QMenu(more);
     QAction* safety = menu->addAction(tr("Safety and limits…"), this, &MotorsPanel::openSafety);
     safety->setObjectName(u"motors.safety"_s);
@@ -128,7 +127,7 @@ void MotorsPanel::makeOptions()
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
     connect(m_hold, &QCheckBox::toggled, this,
             [this](bool holds) { context().settings.set(settings::kHoldToRun, holds); });
-    connect(m_padShown, &QToolButton::toggled, this, &MotorsPanel::onPadShown);
+    connect(m_padShown, &QPushButton::toggled, this, &MotorsPanel::onPadShown);
 }
 
 void MotorsPanel::makePad()
@@ -138,15 +137,35 @@ void MotorsPanel::makePad()
     m_pad->hide();
     layout()->addWidget(m_pad);
     connect(m_pad, &DrivePad::moved, this, &MotorsPanel::onPad);
+    m_gamepad = new Gamepad(this);
+    m_gamepadText = named(new QLabel(this), u"motors.gamepad"_s, tr("Gamepad"));
+    m_gamepadText->setWordWrap(true);
+    m_gamepadText->hide();
+    layout()->addWidget(m_gamepadText);
+    connect(m_gamepad, &Gamepad::moved, m_pad, &DrivePad::steer);
+    connect(m_gamepad, &Gamepad::nameChanged, this, &MotorsPanel::refreshGamepad);
 }
 
 void MotorsPanel::onPadShown(bool shown)
 {
     m_pad->springBack();
-    m_pad->setVisible(shown);
+    m_padShown->setText(shown ? tr("Sliders") : tr("Drive pad"));
+    if (!shown) {
+        m_pad->hide(); // one of both at a time: the window need not grow
+    }
     for (const MotorId motor : {MotorId::Motor1, MotorId::Motor2}) {
         row(motor).setVisible(!shown);
     }
+    m_pad->setVisible(shown);
+    m_gamepad->listen(shown);
+    refreshGamepad();
+}
+
+void MotorsPanel::refreshGamepad()
+{
+    m_gamepadText->setVisible(m_padShown->isChecked() && !m_gamepad->name().isEmpty());
+    m_gamepadText->setText(
+        tr("%1: hold a shoulder button and pull the left stick.").arg(m_gamepad->name()));
 }
 
 /// Mixed here: the controller's own mixing acts on its channels only.

@@ -12,11 +12,11 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
-class QToolButton;
 
 namespace trex {
 
 class DrivePad;
+class Gamepad;
 class MotorRow;
 
 /// Drives the motors. Disarmed at start; arming is one deliberate act, and every way out of it
@@ -38,6 +38,7 @@ private:
     void onBrake(MotorId motor, int duty);
     void onPad(int forward, int turn);
     void onPadShown(bool shown);
+    void refreshGamepad();
     void followSettings();
     void openSafety();
     void openProof();
@@ -53,8 +54,10 @@ private:
     QComboBox* m_mode = nullptr;
     QCheckBox* m_link = nullptr;
     QCheckBox* m_hold = nullptr;
-    QToolButton* m_padShown = nullptr;
+    QPushButton* m_padShown = nullptr;
     DrivePad* m_pad = nullptr;
+    Gamepad* m_gamepad = nullptr;
+    QLabel* m_gamepadText = nullptr;
     QLabel* m_hint = nullptr;
     std::array<MotorRow*, 3> m_rows{};
     QTimer m_lockout; ///< arming is refused just after a stop

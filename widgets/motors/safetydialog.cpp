@@ -22,6 +22,7 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr int kMostRamp = 2000; ///< speed steps a second: 64 ms to full speed
+constexpr int kWidth = 440;
 constexpr int kMostIdleMinutes = 24 * 60;
 
 } // namespace
@@ -47,6 +48,9 @@ SafetyDialog::SafetyDialog(PanelContext& context, QWidget* parent)
     layout->addWidget(makeLimits());
     layout->addWidget(makeHolding());
     layout->addWidget(buttons);
+    // As high as its wrapped texts are at its width; a layout alone would cut them.
+    const int wide = std::max(sizeHint().width(), kWidth);
+    setMinimumSize(wide, layout->totalHeightForWidth(wide));
 }
 
 QCheckBox* SafetyDialog::addCheck(QLayout& layout, const Setting<bool>& setting,

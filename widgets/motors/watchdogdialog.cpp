@@ -40,7 +40,6 @@ WatchdogDialog::WatchdogDialog(PanelContext& context, QWidget* parent)
         connect(context.timeoutWatch, &SerialTimeoutWatch::changed, this, &WatchdogDialog::refresh);
     }
     refresh();
-    resize(kWidth, sizeHint().height());
 }
 
 WatchdogDialog::~WatchdogDialog()
@@ -123,6 +122,15 @@ void WatchdogDialog::refresh()
     m_motor->setEnabled(!runs);
     m_speed->setEnabled(!runs);
     m_progress->setVisible(runs);
+    fit();
+}
+
+/// As high as its wrapped texts are at its width; a layout alone would cut them.
+void WatchdogDialog::fit()
+{
+    const int wide = std::max(width(), kWidth);
+    setMinimumSize(kWidth, layout()->totalHeightForWidth(wide));
+    resize(wide, minimumHeight());
 }
 
 void WatchdogDialog::onStart()

@@ -28,6 +28,7 @@ public:
 private:
     void makeParts();
     void refresh();
+    void fit();
     void onStart();
     void onFinished(const Result<void>& result);
 
