@@ -51,8 +51,8 @@ Program::Program(PanelOptions options)
     , m_journal(journalPath(m_file.path()))
     , m_audit(m_controller, m_deviceSettings, m_journal, WriteAudit::WhenUnsaved::RefuseOnce)
     , m_markKeeper(m_marks, m_controller, m_latch, m_deviceSettings)
-    , m_context{m_controller, m_deviceSettings, m_store, m_latch, m_log, m_settings,
-                m_ticker, m_fileDialogs, &m_audit, &m_marks, &m_references, &m_timeoutWatch}
+    , m_context{m_controller, m_deviceSettings, m_store,  m_latch,  m_log,         m_settings,
+                m_ticker,     m_fileDialogs,    &m_audit, &m_marks, &m_references, &m_timeoutWatch}
     , m_recordings(
           m_context,
           {{QString::fromLatin1(recordingfact::kProgram), u"trexpanel"_s},
