@@ -4,6 +4,7 @@
 #include "protocol/storage/benchtext.h"
 
 #include <cmath>
+#include <tuple>
 
 using namespace Qt::Literals::StringLiterals;
 
@@ -150,7 +151,11 @@ struct Pause {
     bool isBrake = false;
     int duty = 0;
     int milliseconds = 0; ///< in tens
-    auto operator<=>(const Pause&) const = default;
+    bool operator<(const Pause& other) const
+    {
+        return std::tie(isBrake, duty, milliseconds)
+            < std::tie(other.isBrake, other.duty, other.milliseconds);
+    }
 };
 
 std::map<Pause, std::vector<Estimate>> speedsLeft(const BenchTrace& trace, MotorId motor,

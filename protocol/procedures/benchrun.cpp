@@ -11,7 +11,6 @@ namespace {
 
 using namespace Qt::Literals::StringLiterals;
 
-constexpr double kGrace = 5.0; // s, beyond what the steps take by themselves
 constexpr std::array kFaultBits{statusbit::kMotor1Fault, statusbit::kMotor2Fault};
 constexpr std::array kOverCurrentBits{statusbit::kMotor1OverCurrent, statusbit::kMotor2OverCurrent};
 
@@ -40,9 +39,6 @@ bool canShare(const MotorOrder& motor1, const MotorOrder& motor2)
 BenchRun::BenchRun(BenchProfile profile, Model model) : m_profile(std::move(profile))
 {
     m_trace.model = model;
-    if (!m_profile.limits.seconds) {
-        m_profile.limits.seconds = plannedSeconds(m_profile) + kGrace;
-    }
 }
 
 bool BenchRun::wantsChannels() const

@@ -13,6 +13,7 @@ using namespace std::chrono_literals;
 using namespace Qt::Literals::StringLiterals;
 
 constexpr auto kSteerInterval = 20ms; // a set command takes 2 to 4 ms at 19200 baud
+constexpr double kGrace = 5.0; // s, beyond what the steps take by themselves
 constexpr auto kControlAge = 2s; // asked five times a second
 constexpr std::array kMotors{MotorId::Motor1, MotorId::Motor2, MotorId::Aux};
 
@@ -102,8 +103,9 @@ void BenchRun::begin(Instant now)
             m_due.at(std::size_t(motor)) = MotorOrder{};
         }
     }
-    m_levels.push_back(
-        {&m_profile.steps, nullptr, 0, 0, BenchLimitWatch(m_profile.limits, now, m_linkErrors)});
+    BenchLimits limits = m_profile.limits;
+    limits.seconds = limits.seconds.value_or(plannedSeconds(m_profile) + kGrace);
+    m_levels.push_back({.steps = &m_profile.steps, .watch = {limits, now, m_linkErrors}});
     enter(now);
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace trex {
@@ -46,7 +47,7 @@ struct BenchTrace {
     }
     [[nodiscard]] static std::uint32_t tickOf(double at)
     {
-        return static_cast<std::uint32_t>(std::max(at, 0.0) * kTicksPerSecond + 0.5);
+        return static_cast<std::uint32_t>(std::lround(std::max(at, 0.0) * kTicksPerSecond));
     }
     [[nodiscard]] static double secondsOf(std::uint32_t tick) { return tick / kTicksPerSecond; }
     /// Motor 1 or 2; the auxiliary motor's current is not measured.

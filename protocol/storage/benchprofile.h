@@ -116,7 +116,7 @@ struct BenchProfile {
     }
 };
 
-inline constexpr qint64 kLargestProfileBytes = 256 * 1024;
+inline constexpr qint64 kLargestProfileBytes = qint64(256) * 1024;
 
 /// All or nothing. Errors: FileMalformed, with `fileName`, the place (line, key) and the reason.
 [[nodiscard]] Result<BenchProfile> parseBenchProfile(const QByteArray& json,

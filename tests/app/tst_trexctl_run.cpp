@@ -10,7 +10,7 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 const QByteArray kShort = R"({"format":"trexpanel-bench-profile","version":1,"name":"Short",
-    "expect":{"motor1.mean-current":{"maximum":MOST}},"limits":{LIMITS},
+    "expect":{"motor1.mean-current":{"maximum":MOST}},"limits":{"staleSeconds":5LIMITS},
     "steps":[{"do":"set","speed":60},{"do":"set","motor":"aux","speed":30},{"do":"hold","seconds":1}]})";
 
 } // namespace
@@ -86,8 +86,8 @@ void TestTrexctlRun::failedVerdict_isFive()
 void TestTrexctlRun::limit_isFive()
 {
     const Simulator simulator;
-    const Finished done =
-        run({u"--port"_s, simulator.port(), u"--json"_s, u"run"_s, write("3", R"("amperes":0.1)")});
+    const Finished done = run(
+        {u"--port"_s, simulator.port(), u"--json"_s, u"run"_s, write("3", R"(,"amperes":0.1)")});
     QCOMPARE(done.code, 5);
     QCOMPARE(done.object()[u"ended"].toString(), u"limit"_s);
     QVERIFY2(done.err.contains("drew"), done.err);

@@ -28,6 +28,12 @@ struct Bench : test::PanelBench<BenchPanel> {
     {
         return part<QPushButton>(u"bench."_s + name);
     }
+    /// And until the panel knows that it may start.
+    [[nodiscard]] bool connectTo(const QString& port)
+    {
+        return PanelBench::connectTo(port)
+            && QTest::qWaitFor([this] { return button(u"start"_s)->isEnabled(); }, kLongMs);
+    }
     void click(const QString& name) const { button(name)->click(); }
     [[nodiscard]] QString text(const QString& name) const
     {
@@ -46,7 +52,8 @@ struct Bench : test::PanelBench<BenchPanel> {
     {
         QFile written(folder.filePath(u"short.json"_s));
         QVERIFY(written.open(QIODevice::WriteOnly));
-        written.write(R"({"format":"trexpanel-bench-profile","version":1,"name":"Short","motor":"1",
+        written.write(
+            R"({"format":"trexpanel-bench-profile","version":1,"name":"Short","motor":"1","limits":{"staleSeconds":5},
             "expect":{"motor1.mean-current":{"maximum":4}},
             "steps":[{"do":"set","speed":50},{"do":"hold","seconds":0.8}]})");
         written.close();
@@ -80,6 +87,7 @@ private slots:
     void leaving_stopsTheMotors();
     void notConnected_saysSo();
     void motionLimits_areNoticed();
+    void jointMode_isRefused();
     void expectations_areEdited();
     void steps_areEdited();
     void badFile_isNamed();
@@ -209,6 +217,14 @@ void TestBenchPanel::motionLimits_areNoticed()
     QVERIFY2(bench.text(u"status"_s).contains(u"motion limits"_s),
              qPrintable(bench.text(u"status"_s)));
     QVERIFY(!bench.hasMoved());
+}
+
+void TestBenchPanel::jointMode_isRefused()
+{
+    Bench bench;
+    QVERIFY(bench.PanelBench::connectTo(u"sim:?param=motor-mode=1"_s)); // C-31
+    QTRY_VERIFY(bench.text(u"status"_s).contains(u"joint mode"_s));
+    QVERIFY(!bench.button(u"start"_s)->isEnabled());
 }
 
 void TestBenchPanel::expectations_areEdited()

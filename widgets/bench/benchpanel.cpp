@@ -92,7 +92,7 @@ BenchPanel::BenchPanel(PanelContext& context, QWidget* parent) : Panel(context, 
         }
     }
     m_list->setCurrentRow(0);
-    refresh();
+    readMotorMode();
 }
 
 BenchPanel::~BenchPanel() = default;
@@ -287,7 +287,14 @@ void BenchPanel::buildFooter(QLayout& layout)
 
 void BenchPanel::connectContext()
 {
-    connect(&context().controller, &Controller::stateChanged, this, &BenchPanel::refresh);
+    connect(&context().controller, &Controller::stateChanged, this, [this](LinkState state) {
+        if (state == LinkState::Connected) {
+            readMotorMode();
+        }
+        refresh();
+    });
+    connect(&context().deviceSettings, &DeviceSettings::forgotten, this,
+            &BenchPanel::readMotorMode);
     connect(&context().controller, &Controller::deviceChanged, this, &BenchPanel::refresh);
     connect(&context().controller, &Controller::lockedOut, this, [this] {
         m_isConfirming = false; // STOP answers the question, too
@@ -299,6 +306,15 @@ void BenchPanel::connectContext()
     });
     connect(&context().deviceSettings, &DeviceSettings::parameterChanged, this,
             &BenchPanel::refresh);
+}
+
+void BenchPanel::readMotorMode()
+{
+    if (context().controller.state() == LinkState::Connected) {
+        context().deviceSettings.readParameter(parameterRow("motor-mode"), this,
+                                               [this](const Result<int>&) { refresh(); });
+    }
+    refresh();
 }
 
 void BenchPanel::changeEvent(QEvent* event)

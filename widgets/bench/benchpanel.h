@@ -67,6 +67,7 @@ private:
     void showEntry();
     void showOutcome();
     void onEdited(); ///< the profile's steps or limits, by the person
+    void readMotorMode(); ///< once a connection: in joint mode there is nothing to measure
     void refresh(); ///< what may be touched now
     void refreshTitles();
     void tell(int severity, const QString& sentence);

@@ -59,6 +59,9 @@ QString BenchPanel::blockReason() const
         return tr("Serial does not control the motors (mode jumper, channel 5).");
     }
     const ParameterRow& mode = parameterRow("motor-mode");
+    if (!context().deviceSettings.parameter(mode.number)) {
+        return tr("The motor mode has not been read yet.");
+    }
     if (context().deviceSettings.parameter(mode.number) == kJointMode
         && !context().deviceSettings.isPending(mode.number)) {
         return tr("In joint mode the controller measures no currents.");

@@ -56,6 +56,7 @@ public:
     void drawObject(QPainter* painter, const QRectF& rect, QTextDocument* document,
                     int /*position*/, const QTextFormat& format) override
     {
+        painter->save();
         QFont font = document->defaultFont();
         font.setPointSizeF(12.0);
         font.setWeight(QFont::DemiBold);
@@ -64,6 +65,7 @@ public:
         painter->drawText(QRectF(rect.topLeft(), QSizeF(rect.width(), kTitleHeight * 0.9)),
                           Qt::AlignLeft | Qt::AlignBottom,
                           format.property(kTitleProperty).toString());
+        painter->restore();
         QSvgRenderer(format.property(kSvgProperty).toByteArray())
             .render(painter, rect.adjusted(0.0, kTitleHeight, 0.0, 0.0));
     }
@@ -191,7 +193,8 @@ void Writer::write()
     QTextCharFormat code = format(7.0, kInk, false);
     code.setFontFamilies({u"monospace"_s});
     code.setFontFixedPitch(true);
-    paragraph(QString::fromUtf8(writeBenchProfile(m_outcome.profile)).trimmed(), code);
+    const QString profile = QString::fromUtf8(writeBenchProfile(m_outcome.profile)).trimmed();
+    paragraph(QString(profile).replace(u'\n', QChar(QChar::LineSeparator)), code);
     heading(BenchPdf::tr("What such a test can know"));
     paragraph(knowledgeText(), format(kBodyPoints, kInk, false));
 }
