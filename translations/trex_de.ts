@@ -5562,6 +5562,10 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <source>Proposals written to %1. Load shows them in the parameters, where each is taken or left.</source>
         <translation>Vorschläge in %1 geschrieben. „Laden“ zeigt sie bei den Parametern, wo jeder übernommen oder gelassen wird.</translation>
     </message>
+    <message>
+        <source>The motor mode has not been read yet.</source>
+        <translation>Der Motorbetrieb wurde noch nicht gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>trex::BenchResultModel</name>
