@@ -2,6 +2,7 @@
 // ports, scan
 #include "app/trexctl/controllertext.h"
 #include "app/trexctl/verbs.h"
+#include "protocol/procedures/linetext.h"
 #include "protocol/procedures/scan.h"
 #include "protocol/storage/linesettingsstore.h"
 #include "protocol/transport/transportregistry.h"
@@ -79,6 +80,10 @@ public:
                 numbers.insert(hit.device);
             }
             LineSettingsStore(file).rememberNumbers(options.port, numbers);
+        }
+        const bool isWhole = m_isAll || m_scan->hits().empty(); // else it ended at the first
+        if (const QString text = leftOutText(m_scan->leftOut()); isWhole && !text.isEmpty()) {
+            session.tell(text); // now: warnings are not printed beside an error
         }
         if (m_scan->hits().empty()) {
             const Error error = result ? Error{ErrorCode::NoReply, options.port} : result.error();

@@ -253,7 +253,8 @@ void LineChange::recover()
 void LineChange::onRecovered(const Result<void>& result)
 {
     const auto hits = m_scan->hits();
-    const LineAnswer heard = m_scan->heard();
+    const QString advice =
+        (wiringAdvice(m_scan->heard()) + u' ' + leftOutText(m_scan->leftOut())).trimmed();
     std::exchange(m_scan, nullptr)->deleteLater(); // it is the sender
     if (m_phase != Phase::Recovering) {
         return;
@@ -265,7 +266,7 @@ void LineChange::onRecovered(const Result<void>& result)
     } else {
         end(2,
             tr("No controller was found after the change of its line settings. %1 %2")
-                .arg(wiringAdvice(heard), vendorResetText()));
+                .arg(advice, vendorResetText()));
     }
 }
 

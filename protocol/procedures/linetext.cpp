@@ -4,6 +4,9 @@
 #include <QCoreApplication>
 
 namespace trex {
+
+using namespace Qt::Literals::StringLiterals;
+
 namespace {
 
 struct Sentences {
@@ -57,6 +60,23 @@ QString wiringAdvice(LineAnswer heard)
                              "polynomial if it was changed.");
     }
     return {};
+}
+
+QString leftOutText(const std::vector<LineSettings>& leftOut)
+{
+    if (leftOut.empty()) {
+        return {};
+    }
+    QStringList lines;
+    for (const LineSettings& line : leftOut) {
+        lines << Sentences::tr("%1 with polynomial 0x%2")
+                     .arg(detectionText(line))
+                     .arg(line.polynomial, 2, 16);
+    }
+    return Sentences::tr("Not tried: %1, since a question there could be heard as a motor command "
+                         "at another speed; if these are the settings, switch the motor power off "
+                         "and connect with them.")
+        .arg(lines.join("; "_L1));
 }
 
 QString vendorResetText()

@@ -12,6 +12,8 @@ namespace trex {
 [[nodiscard]] QString lineText(const LineSettings& line);
 /// What to look at, by what came back while nothing was found.
 [[nodiscard]] QString wiringAdvice(LineAnswer heard);
+/// One sentence on the settings that a search has left out, and why; empty if none.
+[[nodiscard]] QString leftOutText(const std::vector<LineSettings>& leftOut);
 /// The vendor's way to factory line settings. Its steps were observed, its effect is inferred
 /// (facts.md 6, serial-parameter reset): the text says so.
 [[nodiscard]] QString vendorResetText();

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] Duration estimatedRemaining() const;
     /// What came back where nothing was found.
     [[nodiscard]] LineAnswer heard() const { return m_search.heard(); }
+    /// Settings that could not be tried safely, see LineSearch.
+    [[nodiscard]] const std::vector<LineSettings>& leftOut() const { return m_search.leftOut(); }
 
 signals:
     void found(const trex::ScanHit& hit);

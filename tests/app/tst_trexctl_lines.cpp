@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same controller over every way to it: packet forms, error detections, speeds, echo, TCP,
 // other people's serial servers; and scan, which finds it.
+#include "protocol/codec/lineprobe.h"
 #include "tests/app/commandrunner.h"
 
 #include <QElapsedTimer>
@@ -11,6 +12,7 @@
 #include <QTest>
 
 using namespace Qt::Literals::StringLiterals;
+using namespace trex;
 
 class tst_trexctl_lines : public QObject {
     Q_OBJECT
@@ -26,6 +28,7 @@ private slots:
     void scan_finds_data();
     void scan_finds();
     void scan_ofSilence_isEmpty();
+    void scan_saysWhatItLeavesOut();
     void faults_areRiddenOver();
 
 private:
@@ -237,6 +240,21 @@ void tst_trexctl_lines::scan_ofSilence_isEmpty()
     QCOMPARE(done.code, 3);
     QCOMPARE(done.out, QByteArray("[]\n"));
     QCOMPARE(done.errLines().size(), 1);
+}
+
+void tst_trexctl_lines::scan_saysWhatItLeavesOut()
+{
+    LineSettings line{.baud = 14400, .errorDetection = ErrorDetection::Crc7};
+    while (lineProbe(line).isClean) {
+        QVERIFY(line.polynomial < 0xFF); // else all are clean now, and the sentence can go
+        ++line.polynomial;
+    }
+    Simulator simulator({u"--fault"_s, u"silent-after=0"_s});
+    const Finished done = run({u"--port"_s, simulator.port(), u"--crc-polynomial"_s,
+                               QString::number(line.polynomial), u"scan"_s},
+                              90'000);
+    QCOMPARE(done.code, 3);
+    QVERIFY2(done.err.contains("Not tried: 14400 baud, CRC-7 with polynomial"), done.err);
 }
 
 void tst_trexctl_lines::faults_areRiddenOver()

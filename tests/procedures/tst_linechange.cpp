@@ -402,6 +402,8 @@ void TestLineChange::texts_nameWhatCameBack()
     line.stopBits = 2;
     QCOMPARE(lineText(line), u"19200 baud, CRC-7 with polynomial 0x91, two stop bits"_s);
     QVERIFY(vendorResetText().contains(u"inferred"_s)); // facts.md 6: grade I
+    QVERIFY(leftOutText({}).isEmpty());
+    QVERIFY(leftOutText({line}).contains(u"19200 baud, CRC-7 with polynomial 0x91,"_s));
 }
 
 QTEST_GUILESS_MAIN(TestLineChange)

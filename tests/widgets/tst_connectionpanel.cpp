@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/codec/lineprobe.h"
+#include "protocol/procedures/linetext.h"
 #include "protocol/storage/linesettingsstore.h"
 #include "tests/support/panelbench.h"
 #include "widgets/connection/connectionpanel.h"
@@ -334,7 +336,25 @@ private slots:
                                   qPrintable(advice(bench.panel)), 60'000);
         QVERIFY(advice(bench.panel).contains(u"Nothing at all came back"_s));
         QVERIFY(advice(bench.panel).contains(u"inferred"_s)); // the vendor's reset, facts.md 6
+        QVERIFY(!advice(bench.panel).contains(u"Not tried"_s));
         QVERIFY(in<QPushButton>(bench.panel, u"recover"_s)->isEnabled());
+    }
+
+    void recover_saysWhatItCouldNotTrySafely()
+    {
+        Bench bench;
+        LineSettings line{.baud = 14400, .errorDetection = ErrorDetection::Crc7};
+        while (lineProbe(line).isClean) {
+            QVERIFY(line.polynomial < 0xFF); // else all are clean now, and the sentence can go
+            ++line.polynomial;
+        }
+        typeAddress(bench.panel, u"sim:?fault=drop=1"_s);
+        in<QSpinBox>(bench.panel, u"polynomial"_s)->setValue(line.polynomial);
+        click(bench.panel, u"recover"_s);
+        QTRY_VERIFY2_WITH_TIMEOUT(advice(bench.panel).contains(u"No controller answered"_s),
+                                  qPrintable(advice(bench.panel)), 60'000);
+        QVERIFY2(advice(bench.panel).contains(leftOutText({line})),
+                 qPrintable(advice(bench.panel)));
     }
 
     void lineChange_isFollowed_andTold()

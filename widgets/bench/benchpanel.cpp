@@ -23,14 +23,17 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <array>
+
 namespace trex {
 
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr int kListWidth = 190;
-constexpr int kFormWidth = 310;
+constexpr int kListWidth = 150;
+constexpr int kLeastListWidth = 110;
+constexpr int kFormWidth = 250;
 
 QLabel* wrapped(QLabel* label)
 {
@@ -56,7 +59,7 @@ QTableView* table(QAbstractItemModel& model, const QString& name, const QString&
     return view;
 }
 
-QWidget* scrolled(QWidget* content)
+QScrollArea* scrolled(QWidget* content)
 {
     auto* area = new QScrollArea;
     area->setWidget(content);
@@ -79,7 +82,9 @@ BenchPanel::BenchPanel(PanelContext& context, QWidget* parent) : Panel(context, 
     m_tabs = named(new QTabWidget(this), u"bench.tabs"_s, tr("Parts of the bench test"));
     m_tabs->setDocumentMode(true);
     m_tabs->addTab(buildPlotTab(), tr("Test"));
-    m_tabs->addTab(buildStepsTab(), tr("Steps and limits"));
+    QScrollArea* steps = scrolled(buildStepsTab());
+    steps->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_tabs->addTab(steps, tr("Steps and limits")); // in a narrow window it is scrolled
     m_tabs->addTab(buildResultsTab(), tr("Results"));
     middle->addWidget(m_tabs, 1);
     layout->addLayout(middle, 1);
@@ -114,9 +119,10 @@ void BenchPanel::buildList(QLayout& layout)
     auto* column = new QVBoxLayout;
     column->setSpacing(4);
     m_list = named(new QListWidget(this), u"bench.list"_s, tr("Bench tests"));
-    m_list->setFixedWidth(kListWidth);
+    m_list->setMinimumWidth(kLeastListWidth);
+    m_list->setMaximumWidth(kListWidth);
     column->addWidget(m_list, 1);
-    auto* buttons = new QHBoxLayout;
+    auto* buttons = new QVBoxLayout; // one above the other: the column may get narrow
     buttons->setSpacing(4);
     auto* open = addButton(*buttons, u"open"_s, tr("Open…"), u"load"_s);
     auto* save = addButton(*buttons, u"save"_s, tr("Save…"), u"save"_s);
@@ -149,15 +155,17 @@ QWidget* BenchPanel::buildStepsTab()
     m_stepTable->horizontalHeader()->setSectionResizeMode(BenchStepModel::WhatColumn,
                                                           QHeaderView::Stretch);
     left->addWidget(m_stepTable, 1);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(4);
-    auto* add = addButton(*buttons, u"add"_s, tr("Add"), {});
-    auto* remove = addButton(*buttons, u"remove"_s, tr("Remove"), {});
-    auto* up = addButton(*buttons, u"up"_s, tr("Up"), {});
-    auto* down = addButton(*buttons, u"down"_s, tr("Down"), {});
-    m_revert = addButton(*buttons, u"revert"_s, tr("Revert"), u"revert"_s);
-    buttons->addStretch();
-    left->addLayout(buttons);
+    std::array<QHBoxLayout*, 2> rows{new QHBoxLayout, new QHBoxLayout}; // one would be too wide
+    auto* add = addButton(*rows[0], u"add"_s, tr("Add"), {});
+    auto* remove = addButton(*rows[0], u"remove"_s, tr("Remove"), {});
+    m_revert = addButton(*rows[0], u"revert"_s, tr("Revert"), u"revert"_s);
+    auto* up = addButton(*rows[1], u"up"_s, tr("Up"), {});
+    auto* down = addButton(*rows[1], u"down"_s, tr("Down"), {});
+    for (QHBoxLayout* row : rows) {
+        row->setSpacing(4);
+        row->addStretch();
+        left->addLayout(row);
+    }
     layout->addLayout(left, 1);
     m_stepForm = new BenchStepForm(tab);
     m_limits = new BenchLimitsForm(tab);
@@ -257,15 +265,18 @@ void BenchPanel::buildConfirmation(QLayout& layout)
 
 void BenchPanel::buildFooter(QLayout& layout)
 {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(8);
+    auto* state = new QHBoxLayout;
+    state->setSpacing(8);
     m_status = wrapped(named(new QLabel(this), u"bench.status"_s, tr("State of the test")));
-    row->addWidget(m_status, 1);
+    state->addWidget(m_status, 1);
     m_progress = named(new QProgressBar(this), u"bench.progress"_s, tr("Progress"));
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
     m_progress->setFixedWidth(120);
-    row->addWidget(m_progress);
+    state->addWidget(m_progress);
+    static_cast<QVBoxLayout&>(layout).addLayout(state);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
     m_dry = addButton(*row, u"dryRun"_s, tr("Dry run"), u"simulate"_s);
     m_dry->setToolTip(tr("Runs the test on a private simulated controller: no motor moves"));
     m_start = addButton(*row, u"start"_s, tr("Start…"), u"play"_s);
@@ -273,7 +284,7 @@ void BenchPanel::buildFooter(QLayout& layout)
     m_html->setAccessibleName(tr("Report as HTML"));
     m_pdf = addButton(*row, u"pdf"_s, tr("PDF…"), u"export"_s);
     m_pdf->setAccessibleName(tr("Report as PDF"));
-    row->addSpacing(8); // Start does not sit beside STOP by accident
+    row->addStretch(1); // Start does not sit beside STOP by accident
     row->addWidget(
         named(new StopButton(context().controller, this), u"bench.stop"_s, tr("Stop all motors")));
     static_cast<QVBoxLayout&>(layout).addLayout(row);

@@ -239,7 +239,7 @@ void ConnectionPanel::showScan(int done, int total, const QString& text)
 void ConnectionPanel::onScanFinished(const Result<void>& result)
 {
     const std::vector<ScanHit> hits = m_scan->hits();
-    const LineAnswer heard = m_scan->heard();
+    const QString failure = failureText(result, *m_scan);
     m_scan->deleteLater(); // it is the sender
     m_scan = nullptr;
     const bool isFree = context().controller.state() == LinkState::Disconnected;
@@ -248,7 +248,7 @@ void ConnectionPanel::onScanFinished(const Result<void>& result)
     } else if (!hits.empty()) {
         adopt(hits.front());
     } else {
-        m_notice = failureText(result, heard);
+        m_notice = failure;
     }
     refresh();
     if (!hits.empty() && isFree) {
@@ -276,7 +276,7 @@ void ConnectionPanel::adopt(const ScanHit& hit)
     }
 }
 
-QString ConnectionPanel::failureText(const Result<void>& result, LineAnswer heard) const
+QString ConnectionPanel::failureText(const Result<void>& result, const Scan& scan) const
 {
     if (!result && result.error().code == ErrorCode::Cancelled) {
         return tr("Scan cancelled. Nothing was found so far.");
@@ -284,8 +284,9 @@ QString ConnectionPanel::failureText(const Result<void>& result, LineAnswer hear
     if (!result && result.error().code != ErrorCode::NoReply) {
         return errorText(result.error());
     }
-    const QString text = tr("No controller answered on %1 at any speed. %2")
-                             .arg(shortPortName(m_port->address()), wiringAdvice(heard));
+    QString text = tr("No controller answered on %1 at any speed. %2")
+                       .arg(shortPortName(m_port->address()), wiringAdvice(scan.heard()));
+    text = (text + u' ' + leftOutText(scan.leftOut())).trimmed();
     return m_isRecovering ? text + u"\n\n"_s + vendorResetText() : text;
 }
 

@@ -35,7 +35,7 @@ private:
     void toggleRecover();
     void startScan();
     void adopt(const ScanHit& hit);
-    [[nodiscard]] QString failureText(const Result<void>& result, LineAnswer heard) const;
+    [[nodiscard]] QString failureText(const Result<void>& result, const Scan& scan) const;
     void onScanFinished(const Result<void>& result);
     void onStateChanged();
     void refresh();

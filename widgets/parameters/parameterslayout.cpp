@@ -78,6 +78,8 @@ void ParametersPanel::buildTools()
         tr("Which parameters are shown: all, those with edits, those that are not as from "
            "the factory, or those that need a power cycle"));
     m_filter->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_filter->setMinimumWidth(90); // in a narrow window its longest words are cut, not the window
+    m_filter->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* const row = new QHBoxLayout;
     row->setSpacing(4);
     row->addWidget(m_search, 1);

@@ -128,7 +128,7 @@ void ParameterTable::setWidths()
                    wide(m_isCompact ? tr("no channel (0)") : tr("channels 1, 2, 3 (00)")));
     // The last one takes what is left; where that is little, its tool tip has the whole.
     setColumnWidth(ParameterModel::DefaultColumn,
-                   wide(m_isCompact ? u"≈ 000"_s : tr("≈ no channel (0)")));
+                   wide(m_isCompact ? tr("≈ off (0)") : tr("≈ no channel (0)")));
     setColumnWidth(ParameterModel::RangeColumn, wide(tr("channels 1 to 5")));
     setColumnWidth(ParameterModel::SourceColumn, wide(tr("≈ inferred, quite sure")));
 }
@@ -196,7 +196,29 @@ void ParameterTable::hideAndShow()
             setRowHidden(group, {}, !isAnyShown);
         }
     }
+    chooseShownRow();
     emit shownRowsChanged();
+}
+
+/// The help is on a row that is there to be seen.
+void ParameterTable::chooseShownRow()
+{
+    const auto isShown = [this](const QModelIndex& index) {
+        return index.isValid() && !isRowHidden(index.row(), index.parent());
+    };
+    if (const ParameterRow* row = currentRow();
+        row != nullptr && isShown(m_model.indexOf(row->number))) {
+        return;
+    }
+    for (int group = 0; group < m_model.rowCount(); ++group) {
+        const QModelIndex parent = m_model.index(group, 0);
+        for (int row = 0; row < m_model.rowCount(parent); ++row) {
+            if (const QModelIndex index = m_model.index(row, 0, parent); isShown(index)) {
+                setCurrentIndex(index);
+                return;
+            }
+        }
+    }
 }
 
 int ParameterTable::shownRows() const

@@ -43,6 +43,7 @@ protected:
 private:
     void addFields();
     void hideAndShow();
+    void chooseShownRow();
     [[nodiscard]] bool isWanted(const ParameterRow& row) const;
     void setWidths();
     void onShownChanged(int number);

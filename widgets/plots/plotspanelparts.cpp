@@ -13,6 +13,7 @@
 #include "widgets/plots/plotexport.h"
 #include "widgets/plots/plotspanel.h"
 #include "widgets/plots/plotstack.h"
+#include "widgets/plots/toolrow.h"
 #include "widgets/plots/triggerbar.h"
 
 #include <QClipboard>
@@ -103,7 +104,7 @@ void PlotsPanel::addMoveButtons(QHBoxLayout* row)
 
 QWidget* PlotsPanel::makeToolRow()
 {
-    auto* bar = new QWidget(this);
+    auto* bar = new ToolRow(this);
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);

@@ -94,6 +94,11 @@ void TriggerBar::build()
         row->addWidget(widget);
     }
     row->addStretch(1);
+    // What is chosen may be cut in a narrow window; the window is not made wider for it.
+    for (QComboBox* combo : {m_source, m_edge, m_mode}) {
+        combo->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        combo->setMinimumWidth(80);
+    }
 }
 
 bool TriggerBar::isOn() const
