@@ -3627,6 +3627,10 @@ The steps come from people who quote the vendor&apos;s guide; that they restore 
 7. Ausschalten, den Lern-Jumper abziehen, einschalten und noch einmal wiederfinden lassen.
 Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; dass sie die seriellen Einstellungen zurücksetzen, ist erschlossen, nicht bestätigt.</translation>
     </message>
+    <message>
+        <source>Not tried: %1, since a question there could be heard as a motor command at another speed; if these are the settings, switch the motor power off and connect with them.</source>
+        <translation>Nicht versucht: %1, denn eine Frage dort könnte bei anderer Geschwindigkeit als Motorbefehl verstanden werden; sind dies die Einstellungen, schalten Sie die Motorversorgung aus und verbinden Sie damit.</translation>
+    </message>
 </context>
 <context>
     <name>Marks</name>
@@ -8525,6 +8529,10 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>no channel (0)</source>
         <translation>kein Kanal (0)</translation>
+    </message>
+    <message>
+        <source>≈ off (0)</source>
+        <translation>≈ aus (0)</translation>
     </message>
 </context>
 <context>
