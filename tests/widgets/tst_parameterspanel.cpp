@@ -211,6 +211,7 @@ void TestParametersPanel::powerCycle_isAskedForUntilItHappened()
     QCOMPARE(bench.cell(u"motor-mode"_s, ParameterModel::StateColumn), u"power cycle"_s);
     bench.controller.powerCycleSimulator();
     QTRY_VERIFY_WITH_TIMEOUT(bench.text(u"banner"_s).isEmpty(), kLongMs);
+    QVERIFY(!bench.part<QLabel>(u"message"_s)->isVisible()); // nor by what was said of the write
     QCOMPARE(bench.editor(u"motor-mode"_s)->raw(), 1);
 }
 

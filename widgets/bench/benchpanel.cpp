@@ -33,7 +33,7 @@ namespace {
 
 constexpr int kListWidth = 150;
 constexpr int kLeastListWidth = 110;
-constexpr int kFormWidth = 250;
+constexpr int kFormWidth = 260;
 
 QLabel* wrapped(QLabel* label)
 {
@@ -119,6 +119,9 @@ void BenchPanel::buildList(QLayout& layout)
     auto* column = new QVBoxLayout;
     column->setSpacing(4);
     m_list = named(new QListWidget(this), u"bench.list"_s, tr("Bench tests"));
+    m_list->setWordWrap(true);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setMinimumWidth(kLeastListWidth);
     m_list->setMaximumWidth(kListWidth);
     column->addWidget(m_list, 1);
@@ -173,7 +176,7 @@ QWidget* BenchPanel::buildStepsTab()
     forms->setDocumentMode(true);
     forms->addTab(scrolled(m_stepForm), tr("Step"));
     forms->addTab(scrolled(m_limits), tr("Whole test"));
-    forms->setMinimumWidth(kFormWidth);
+    forms->setFixedWidth(kFormWidth); // the table takes the rest
     layout->addWidget(forms);
 
     const auto row = [this] { return m_stepTable->currentIndex().row(); };

@@ -16,6 +16,8 @@
 #include <QPushButton>
 #include <QTableView>
 
+#include <algorithm>
+
 using namespace Qt::Literals::StringLiterals;
 
 namespace trex {
@@ -24,10 +26,11 @@ namespace {
 void fitColumns(QTableView& table)
 {
     constexpr int kGap = 16;
+    constexpr int kWidest = 260; // the rest of a long one: its tool tip, or a wider column
     table.resizeColumnsToContents();
     for (int column = 0; column + 1 < table.model()->columnCount(); ++column) {
         if (!table.isColumnHidden(column)) {
-            table.setColumnWidth(column, table.columnWidth(column) + kGap);
+            table.setColumnWidth(column, std::min(table.columnWidth(column) + kGap, kWidest));
         }
     }
 }

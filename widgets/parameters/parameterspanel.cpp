@@ -56,6 +56,11 @@ void ParametersPanel::connectContext()
     connect(&controller, &Controller::deviceChanged, this, &ParametersPanel::refresh);
     connect(&settings, &DeviceSettings::parameterChanged, this, &ParametersPanel::onDeviceValue);
     connect(&settings, &DeviceSettings::forgotten, this, &ParametersPanel::onForgotten);
+    connect(&context().controller, &Controller::restarted, this, [this] {
+        if (!m_isWriting && m_severity == EventLog::Information) {
+            m_message->hide(); // it may ask for the power cycle that has been
+        }
+    });
     connect(&m_transfer, &ConfigTransfer::progressed, this, [this](int done, int total) {
         m_progress->setRange(0, std::max(total, 1));
         m_progress->setValue(done);
