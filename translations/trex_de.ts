@@ -6710,8 +6710,8 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>&amp;Wiederfinden</translation>
     </message>
     <message>
-        <source>Finds a lost controller: tries the settings that worked last, then every other, and connects with those that answer. Only queries are sent, but a controller at another speed may misread them: switch the motor power off first if you can.</source>
-        <translation>Findet einen verlorenen Regler: versucht zuerst die Einstellungen, die zuletzt gingen, dann alle anderen, und verbindet mit denen, die antworten. Gesendet werden nur Abfragen, doch ein Regler mit anderer Geschwindigkeit kann sie falsch lesen: wenn möglich vorher die Motorversorgung abschalten.</translation>
+        <source>Finds a lost controller: tries the settings that worked last, then every other, and connects with those that answer. The questions are chosen so that no controller at another speed takes one for a motor order, as far as its receiver works as its data sheet says; to be quite sure, switch the motor power off first.</source>
+        <translation>Findet einen verlorenen Regler: versucht zuerst die Einstellungen, die zuletzt gingen, dann alle anderen, und verbindet mit denen, die antworten. Die Fragen sind so gewählt, dass kein Regler mit anderer Geschwindigkeit eine davon für einen Motorbefehl hält, soweit sein Empfänger arbeitet, wie es sein Datenblatt sagt; um ganz sicher zu gehen, vorher die Motorversorgung abschalten.</translation>
     </message>
     <message>
         <source>Found a %1, firmware %2, at %3, device number %4.</source>

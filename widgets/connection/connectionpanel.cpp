@@ -112,8 +112,9 @@ void ConnectionPanel::buildButtons(QVBoxLayout& layout)
                                 "likely first, until a controller answers."));
     m_recover->setToolTip(
         tr("Finds a lost controller: tries the settings that worked last, then every other, and "
-           "connects with those that answer. Only queries are sent, but a controller at another "
-           "speed may misread them: switch the motor power off first if you can."));
+           "connects with those that answer. The questions are chosen so that no controller at "
+           "another speed takes one for a motor order, as far as its receiver works as its data "
+           "sheet says; to be quite sure, switch the motor power off first."));
     m_powerCycle->setToolTip(tr("Switches the simulated controller off and on again."));
     connect(m_connect, &QPushButton::clicked, this, &ConnectionPanel::openLine);
     connect(m_disconnect, &QPushButton::clicked, &context().controller, &Controller::close);
