@@ -214,9 +214,12 @@ void TestBenchPanel::motionLimits_areNoticed()
     bench.click(u"start"_s);
     bench.click(u"confirm"_s);
     QTRY_COMPARE(bench.panel.state(), u"idle"_s);
-    QVERIFY2(bench.text(u"status"_s).contains(u"motion limits"_s),
-             qPrintable(bench.text(u"status"_s)));
+    QTRY_VERIFY2(bench.text(u"status"_s).contains(u"motion limits"_s),
+                 qPrintable(bench.text(u"status"_s)));
     QVERIFY(!bench.hasMoved());
+    // And it stays, although the gate opens again half a second after the stop.
+    QTRY_VERIFY(bench.button(u"start"_s)->isEnabled());
+    QVERIFY(bench.text(u"status"_s).contains(u"motion limits"_s));
 }
 
 void TestBenchPanel::jointMode_isRefused()

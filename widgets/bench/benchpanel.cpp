@@ -369,6 +369,7 @@ void BenchPanel::choose(int row)
 void BenchPanel::showEntry()
 {
     m_isFilling = true;
+    m_told.clear();
     m_steps.setSteps(entry().profile.steps);
     m_limits->show(entry().profile);
     selectStep(0);

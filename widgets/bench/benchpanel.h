@@ -96,6 +96,7 @@ private:
     BenchReport m_report; ///< of the test under way
     QTimer m_slice;
     bool m_isConfirming = false;
+    QString m_told; ///< what became of the last test or file, until the person goes on
     bool m_isFilling = false;
     BenchStepModel m_steps;
     BenchResultModel m_results;

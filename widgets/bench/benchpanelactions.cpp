@@ -42,6 +42,7 @@ QString BenchPanel::state() const
 
 void BenchPanel::tell(int severity, const QString& sentence)
 {
+    m_told = sentence;
     m_status->setText(sentence);
     context().log.add(severity, sentence);
 }
@@ -113,8 +114,10 @@ void BenchPanel::refresh()
     m_revert->setEnabled(!isBusy && entry().profile != entry().original);
     if (!isBusy && !m_isConfirming) {
         const double seconds = plannedSeconds(entry().profile);
-        m_status->setText(
-            reason.isEmpty() ? tr("%1; %2 s.").arg(motionText()).arg(seconds, 0, 'f', 1) : reason);
+        m_status->setText(!reason.isEmpty() ? reason
+                              : !m_told.isEmpty()
+                              ? m_told
+                              : tr("%1; %2 s.").arg(motionText()).arg(seconds, 0, 'f', 1));
     }
 }
 
@@ -170,6 +173,7 @@ void BenchPanel::onEdited()
     entry().profile = m_limits->applied(entry().profile);
     entry().prediction = {}; // of another test
     m_isConfirming = false;
+    m_told.clear();
     m_plot->setPlan(previewOf(entry().profile));
     m_plot->setPrediction({});
     refreshTitles();
@@ -258,6 +262,7 @@ void BenchPanel::askToStart()
         return;
     }
     m_isConfirming = true;
+    m_told.clear();
     const double seconds = plannedSeconds(entry().profile);
     m_confirmText->setText(
         tr("%1, for %2 s. Is the machine held fast or its wheels off the ground, and is everybody "
