@@ -271,14 +271,18 @@ void TestCalibrationWalks::lostWhileWriting_isNamedOnReconnect()
     QTRY_COMPARE(bench.state(3), u"writing…"_s);
     bench.controller.close();
     QVERIFY(bench.waitForPage(u"stopped"_s));
-    QTRY_COMPARE(bench.state(3), u"failed"_s);
+    int lost = 3; // or a later one, when the answer was quicker than the end of the line
+    while (lost < 5 && bench.state(lost) == u"written"_s) {
+        ++lost;
+    }
+    QTRY_COMPARE(bench.state(lost), u"failed"_s);
     QVERIFY(bench.text(u"reason"_s).contains(u"read back"_s));
-    QCOMPARE(bench.text(u"3.minimum"_s), u"–"_s); // nobody knows
+    QCOMPARE(bench.text(u"%1.minimum"_s.arg(lost)), u"–"_s); // nobody knows
     bench.picture(u"stopped-lost"_s);
     QTRY_COMPARE(bench.controller.state(), LinkState::Disconnected);
     QVERIFY(bench.connectTo(port));
     QTRY_VERIFY(bench.text(u"instruction"_s).contains(u"hold the new values"_s));
-    QTRY_VERIFY(bench.state(3) == u"new values"_s || bench.state(3) == u"old values"_s);
+    QTRY_VERIFY(bench.state(lost) == u"new values"_s || bench.state(lost) == u"old values"_s);
     bench.picture(u"stopped-reconnected"_s);
 }
 
