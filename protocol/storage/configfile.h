@@ -38,7 +38,7 @@ struct Configuration {
     bool operator==(const Configuration&) const = default;
 };
 
-inline constexpr qint64 kLargestConfigurationBytes = 1024 * 1024;
+inline constexpr qint64 kLargestConfigurationBytes = qint64(1024) * 1024;
 
 /// All or nothing. Errors: FileMalformed, with `fileName`, the place (line, column, key) and the
 /// reason. `raw` decides; a `physical` or `unit` that disagrees with it is refused.

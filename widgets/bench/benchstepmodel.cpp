@@ -129,20 +129,20 @@ QString textOf(const BenchStep& step)
 
 BenchStepModel::BenchStepModel(QObject* parent) : QAbstractTableModel(parent) { }
 
-void BenchStepModel::index(const std::vector<BenchStep>& steps, const Path& before)
+void BenchStepModel::enlist(const std::vector<BenchStep>& steps, const Path& before)
 {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         Path path = before;
         path.push_back(i);
         m_rows.push_back(path);
-        index(steps[i].steps, path);
+        enlist(steps[i].steps, path);
     }
 }
 
 void BenchStepModel::rebuild()
 {
     m_rows.clear();
-    index(m_steps, {});
+    enlist(m_steps, {});
 }
 
 void BenchStepModel::setSteps(const std::vector<BenchStep>& steps)

@@ -37,7 +37,7 @@ signals:
 
 private:
     using Path = std::vector<std::size_t>; ///< index in each list, outermost first
-    void index(const std::vector<BenchStep>& steps, const Path& before);
+    void enlist(const std::vector<BenchStep>& steps, const Path& before);
     void rebuild();
     [[nodiscard]] std::vector<BenchStep>& listOf(const Path& path);
     [[nodiscard]] int rowOf(const Path& path) const;
