@@ -139,7 +139,7 @@ private:
         m_recorder = std::make_unique<SessionRecorder>(session.controller(), m_store);
         m_recordingFailed = handler;
         QObject::connect(m_recorder.get(), &SessionRecorder::failed, &session,
-                         [this, &session](const Error& error) {
+                         [this](const Error& error) {
                              if (const auto failed = std::exchange(m_recordingFailed, {})) {
                                  failed(tl::make_unexpected(error));
                              } else if (m_test && m_test->isRunning()) {

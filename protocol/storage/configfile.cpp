@@ -45,7 +45,7 @@ public:
     [[nodiscard]] QString onLines(int depth) const
     {
         const auto members = texts();
-        const QString indent(4 * depth, u' ');
+        const QString indent(qsizetype(4) * depth, u' ');
         const QString separator = u",\n"_s + indent + u"    "_s;
         return members.isEmpty()
             ? u"{}"_s
