@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/panelbench.h"
 #include "widgets/common/plotview.h"
+#include "widgets/common/timewindowbox.h"
 #include "widgets/currents/currentreadout.h"
 #include "widgets/currents/currentspanel.h"
 
@@ -47,6 +48,8 @@ private slots:
     void value_isStaleAfterALoss();
     void pause_keepsRecordingBehind();
     void window_isKept();
+    void window_tellsTheLengthOfAZoomedView();
+    void window_writesLengthsForPeople();
     void clear_forgetsTheSession();
     void export_writesCsvOrPicture();
     void export_toNowhereIsLogged();
@@ -125,6 +128,32 @@ void TestCurrentsPanel::window_isKept()
     QCOMPARE(bench.plot()->windowSeconds(), 60);
     const CurrentsPanel next(bench.context);
     QCOMPARE(next.findChild<PlotView*>()->windowSeconds(), 60);
+}
+
+void TestCurrentsPanel::window_tellsTheLengthOfAZoomedView()
+{
+    Bench bench;
+    bench.feed(100, 55, 22);
+    auto* window = bench.part<QComboBox>(u"currents.window"_s);
+    bench.click(u"pause"_s);
+    QCOMPARE(window->currentData().toInt(), 10); // still ten seconds
+    bench.plot()->zoomTime(0.25);
+    QCOMPARE(window->currentIndex(), -1);
+    QCOMPARE(window->placeholderText(), u"2.5 s"_s);
+    QCOMPARE(bench.context.settings.value(settings::kPlotWindowSeconds), 10);
+    window->setCurrentIndex(window->findData(10)); // leads back, though it was the choice before
+    QCOMPARE(bench.plot()->timeline().span(), Duration(std::chrono::seconds(10)));
+    bench.plot()->zoomTime(0.25);
+    bench.click(u"pause"_s);
+    QCOMPARE(window->currentData().toInt(), 10);
+}
+
+void TestCurrentsPanel::window_writesLengthsForPeople()
+{
+    QCOMPARE(TimeWindowBox::lengthText(0.02), u"20 ms"_s);
+    QCOMPARE(TimeWindowBox::lengthText(2.5), u"2.5 s"_s);
+    QCOMPARE(TimeWindowBox::lengthText(59.96), u"60 s"_s);
+    QCOMPARE(TimeWindowBox::lengthText(3750.0), u"1:02:30"_s);
 }
 
 void TestCurrentsPanel::clear_forgetsTheSession()

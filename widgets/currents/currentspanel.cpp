@@ -7,10 +7,10 @@
 #include "widgets/common/measurementview.h"
 #include "widgets/common/plotlimits.h"
 #include "widgets/common/plotview.h"
+#include "widgets/common/timewindowbox.h"
 #include "widgets/common/uisettings.h"
 #include "widgets/currents/currentreadout.h"
 
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -29,20 +29,6 @@ constexpr qint64 kReadOutIntervalMs = 100; ///< digits that change faster cannot
 constexpr double kSmallestTopAmperes = 0.9; ///< the axis ends at 1 A when little is drawn
 constexpr auto kMotorMode = parameterRow("motor-mode");
 constexpr int kJointMode = 1;
-
-struct WindowRow {
-    int seconds;
-    const char* title;
-};
-constexpr std::array kWindows{
-    WindowRow{10, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "10 s")},
-    WindowRow{30, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "30 s")},
-    WindowRow{60, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "1 min")},
-    WindowRow{300, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "5 min")},
-    WindowRow{1800, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "30 min")},
-    WindowRow{3600, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "1 h")},
-    WindowRow{PlotView::kWholeSession, QT_TRANSLATE_NOOP("trex::CurrentsPanel", "whole session")},
-};
 
 } // namespace
 
@@ -102,12 +88,11 @@ QWidget* CurrentsPanel::makeToolRow()
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    m_window = named(new QComboBox(bar), u"currents.window"_s, tr("Time shown"));
-    m_window->setToolTip(tr("How much time the plot shows"));
-    for (const WindowRow& window : kWindows) {
-        m_window->addItem(tr(window.title), window.seconds);
-    }
-    row->addWidget(m_window);
+    auto* window = named(new TimeWindowBox(m_plot->timeline(), context().settings,
+                                           settings::kPlotWindowSeconds, bar),
+                         u"currents.window"_s, tr("Time shown"));
+    window->setToolTip(tr("How much time the plot shows"));
+    row->addWidget(window);
     m_pause = addButton(row, u"currents.pause"_s, u"pause"_s, tr("Pause"),
                         tr("Hold the picture still; recording goes on behind"));
     m_pause->setCheckable(true);
@@ -163,15 +148,6 @@ QWidget* CurrentsPanel::makeReadOutRow()
 
 void CurrentsPanel::connectPlot()
 {
-    const int stored = context().settings.value(settings::kPlotWindowSeconds);
-    const int index = m_window->findData(stored);
-    m_window->setCurrentIndex(std::max(index, 0));
-    m_plot->setWindowSeconds(m_window->currentData().toInt());
-    connect(m_window, &QComboBox::currentIndexChanged, this, [this] {
-        const int seconds = m_window->currentData().toInt();
-        m_plot->setWindowSeconds(seconds);
-        context().settings.set(settings::kPlotWindowSeconds, seconds);
-    });
     connect(m_pause, &QToolButton::clicked, this, [this](bool paused) {
         if (paused) {
             m_plot->setPaused(true);

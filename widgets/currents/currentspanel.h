@@ -9,7 +9,6 @@
 #include <array>
 #include <memory>
 
-class QComboBox;
 class QHBoxLayout;
 class QToolButton;
 
@@ -64,7 +63,6 @@ private:
     CsvRecorder m_recorder;
     PlotView* m_plot;
     MeasurementView* m_measurement;
-    QComboBox* m_window = nullptr;
     QToolButton* m_pause = nullptr;
     QToolButton* m_cursors = nullptr;
     QToolButton* m_export = nullptr;

@@ -11,7 +11,6 @@
 #include "widgets/plots/plotstack.h"
 #include "widgets/plots/triggerbar.h"
 
-#include <QComboBox>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QToolButton>
@@ -76,14 +75,6 @@ PlotsPanel::~PlotsPanel()
 
 void PlotsPanel::connectTimeline()
 {
-    const int stored = context().settings.value(settings::kPlotsWindowSeconds);
-    m_window->setCurrentIndex(std::max(m_window->findData(stored), 0));
-    m_timeline->setWindowSeconds(m_window->currentData().toInt());
-    connect(m_window, &QComboBox::currentIndexChanged, this, [this] {
-        const int seconds = m_window->currentData().toInt();
-        m_timeline->setWindowSeconds(seconds);
-        context().settings.set(settings::kPlotsWindowSeconds, seconds);
-    });
     connect(m_pause, &QToolButton::clicked, this, [this](bool paused) {
         if (paused) {
             m_timeline->setPaused(true);

@@ -8,7 +8,6 @@
 
 #include <memory>
 
-class QComboBox;
 class QHBoxLayout;
 class QTabWidget;
 class QToolButton;
@@ -81,7 +80,6 @@ private:
     TriggerBar* m_trigger = nullptr;
     MeasurementView* m_measurement = nullptr;
     QTabWidget* m_side = nullptr;
-    QComboBox* m_window = nullptr;
     QToolButton* m_pause = nullptr;
     QToolButton* m_back = nullptr;
     QToolButton* m_forward = nullptr;

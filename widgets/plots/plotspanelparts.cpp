@@ -6,6 +6,7 @@
 #include "widgets/common/eventlog.h"
 #include "widgets/common/filedialogs.h"
 #include "widgets/common/plottimeline.h"
+#include "widgets/common/timewindowbox.h"
 #include "widgets/common/uisettings.h"
 #include "widgets/plots/comparelist.h"
 #include "widgets/plots/curvechip.h"
@@ -17,7 +18,6 @@
 #include "widgets/plots/triggerbar.h"
 
 #include <QClipboard>
-#include <QComboBox>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
@@ -37,19 +37,6 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-struct WindowRow {
-    int seconds;
-    const char* title;
-};
-constexpr std::array kWindows{
-    WindowRow{10, QT_TRANSLATE_NOOP("trex::PlotsPanel", "10 s")},
-    WindowRow{30, QT_TRANSLATE_NOOP("trex::PlotsPanel", "30 s")},
-    WindowRow{60, QT_TRANSLATE_NOOP("trex::PlotsPanel", "1 min")},
-    WindowRow{300, QT_TRANSLATE_NOOP("trex::PlotsPanel", "5 min")},
-    WindowRow{1800, QT_TRANSLATE_NOOP("trex::PlotsPanel", "30 min")},
-    WindowRow{3600, QT_TRANSLATE_NOOP("trex::PlotsPanel", "1 h")},
-    WindowRow{PlotTimeline::kWholeSession, QT_TRANSLATE_NOOP("trex::PlotsPanel", "whole session")},
-};
 constexpr qint64 kMostCopied = 16LL * 1024 * 1024; ///< bytes; more than a clipboard is for
 
 QString suggestedName()
@@ -108,12 +95,11 @@ QWidget* PlotsPanel::makeToolRow()
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    m_window = named(new QComboBox(bar), u"plots.window"_s, tr("Time shown"));
-    m_window->setToolTip(tr("How much time the plots show"));
-    for (const WindowRow& window : kWindows) {
-        m_window->addItem(tr(window.title), window.seconds);
-    }
-    row->addWidget(m_window);
+    auto* window = named(
+        new TimeWindowBox(*m_timeline, context().settings, settings::kPlotsWindowSeconds, bar),
+        u"plots.window"_s, tr("Time shown"));
+    window->setToolTip(tr("How much time the plots show"));
+    row->addWidget(window);
     m_pause = addButton(row, u"plots.pause"_s, u"pause"_s, tr("Pause"),
                         tr("Hold the picture still; recording goes on behind"));
     m_pause->setCheckable(true);
