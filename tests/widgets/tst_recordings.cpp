@@ -71,6 +71,7 @@ private slots:
     void lastMinutes_areKeptByHand();
     void flightRecorder_canBeSwitchedOff();
     void chosenFolders_areUsed();
+    void lengthOfTheLastMinutes_isChosenInTheMenu();
 };
 
 void tst_recordings::oneClick_recordsEverything()
@@ -216,6 +217,18 @@ void tst_recordings::chosenFolders_areUsed()
     action(bench, u"keepLast"_s)->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(kept.size(), 1, kPatience);
     QVERIFY(kept[0][0].toString().contains(u"black box"_s));
+}
+
+void tst_recordings::lengthOfTheLastMinutes_isChosenInTheMenu()
+{
+    Bench bench;
+    QAction* five = action(bench, u"flightMinutes.5"_s);
+    QAction* two = action(bench, u"flightMinutes.2"_s);
+    QVERIFY(five != nullptr && five->isChecked() && two != nullptr);
+    two->trigger();
+    QVERIFY(two->isChecked() && !five->isChecked());
+    QCOMPARE(bench.panel.recordings.flightMinutes(), 2);
+    QCOMPARE(bench.uiSettings.value(settings::kFlightMinutes), 2);
 }
 
 QTEST_MAIN(tst_recordings)

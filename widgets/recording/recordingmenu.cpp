@@ -7,6 +7,7 @@
 #include "widgets/recording/recordings.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QDesktopServices>
 #include <QDir>
 #include <QMenu>
@@ -104,10 +105,29 @@ void RecordingActions::makeChoices()
            settings::kFlightEnabled)
         ->setToolTip(tr("The flight recorder: %1")
                          .arg(QDir::toNativeSeparators(m_recordings.flightFolder())));
+    makeLength();
     makeFolder(u"recordingFolder"_s, tr("F&older for recordings…"), settings::kRecordingFolder,
                &Recordings::folder);
     makeFolder(u"flightFolder"_s, tr("Folder for the last &minutes…"), settings::kFlightFolder,
                &Recordings::flightFolder);
+}
+
+void RecordingActions::makeLength()
+{
+    constexpr std::array kOffered{1, 2, 5, 10, 20, Recordings::kMostFlightMinutes};
+    QAction* action = make(u"flightMinutes"_s, tr("Le&ngth of the last minutes"), {});
+    auto* menu = new QMenu(m_window);
+    auto* group = new QActionGroup(menu);
+    for (const int minutes : kOffered) {
+        QAction* choice = menu->addAction(tr("%n minute(s)", nullptr, minutes));
+        choice->setObjectName(u"action.flightMinutes.%1"_s.arg(minutes));
+        choice->setCheckable(true);
+        choice->setChecked(m_recordings.flightMinutes() == minutes);
+        group->addAction(choice);
+        connect(choice, &QAction::triggered, this,
+                [this, minutes] { m_context.settings.set(settings::kFlightMinutes, minutes); });
+    }
+    action->setMenu(menu);
 }
 
 void RecordingActions::makeFolder(const QString& part, const QString& text,

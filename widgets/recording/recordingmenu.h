@@ -31,6 +31,7 @@ private:
     void makeRecording();
     void makeFiles();
     void makeChoices();
+    void makeLength();
     void makeFolder(const QString& part, const QString& text, const Setting<QString>& setting,
                     QString (Recordings::*folder)() const);
     void refresh();

@@ -143,13 +143,17 @@ QString Recordings::flightFolder() const
     return chosen.isEmpty() ? dataFolder(m_context.settings.file().path()) + u"/flight"_s : chosen;
 }
 
+int Recordings::flightMinutes() const
+{
+    return std::clamp(m_context.settings.value(settings::kFlightMinutes), 1, kMostFlightMinutes);
+}
+
 void Recordings::applySettings()
 {
     const UiSettings& stored = m_context.settings;
-    const int minutes = std::clamp(stored.value(settings::kFlightMinutes), 1, kMostFlightMinutes);
     m_flight.setPolicy({.isEnabled = stored.value(settings::kFlightEnabled),
                         .folder = flightFolder(),
-                        .before = std::chrono::minutes(minutes),
+                        .before = std::chrono::minutes(flightMinutes()),
                         .facts = m_program});
 }
 

@@ -38,6 +38,7 @@ public:
     static constexpr int kMostFlightMinutes = 60;
     [[nodiscard]] QString folder() const; ///< where recordings go
     [[nodiscard]] QString flightFolder() const; ///< where the flight recorder keeps its files
+    [[nodiscard]] int flightMinutes() const; ///< kept before a fault, 1 to kMostFlightMinutes
 
 signals:
     void changed(); ///< a recording began, ended or failed
