@@ -378,6 +378,34 @@ private slots:
         QVERIFY(qAbs(bench.plot.fromSeconds() + 0.25 * bench.span() - under) < 0.05);
     }
 
+    void twoFingers_zoomAboutTheMiddleBetweenThem()
+    {
+        Bench bench;
+        bench.plot.addCurve("motor1-current", ColourRole::Motor1);
+        bench.feedCurrents(60s, 25);
+        bench.settle();
+        const double under = bench.plot.fromSeconds() + 0.5 * bench.span();
+        const QPoint middle = bench.at(0.5, 0.5);
+        const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
+        constexpr int kNear = 40; // pixels from the middle at first, and twice as far in the end
+        constexpr int kSteps = 20;
+        const auto reach = [](int step) { return QPoint(kNear + step * kNear / kSteps, 0); };
+        QTest::touchEvent(bench.plot.viewport(), screen.get())
+            .press(0, middle - reach(0))
+            .press(1, middle + reach(0));
+        for (int step = 1; step <= kSteps; ++step) {
+            QTest::touchEvent(bench.plot.viewport(), screen.get())
+                .move(0, middle - reach(step))
+                .move(1, middle + reach(step));
+        }
+        QTest::touchEvent(bench.plot.viewport(), screen.get())
+            .release(0, middle - reach(kSteps))
+            .release(1, middle + reach(kSteps));
+        QVERIFY2(qAbs(bench.span() - 5.0) < 0.6, qPrintable(QString::number(bench.span())));
+        QVERIFY(qAbs(bench.plot.fromSeconds() + 0.5 * bench.span() - under) < 0.3);
+        QVERIFY(bench.plot.isPaused());
+    }
+
     void sharedTimeline_movesAllItsPlots()
     {
         Bench bench;

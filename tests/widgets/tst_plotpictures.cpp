@@ -2,10 +2,14 @@
 // What the Plots panel looks like with data that took a day, or two runs, to come by. With
 // TREX_PICTURES set to a folder the pictures are written there, light and dark:
 //   TREX_PICTURES=out/plots ctest -R tst_plotpictures
+#include "protocol/storage/comparisonrun.h"
+#include "protocol/storage/recordingwriter.h"
+#include "protocol/storage/sampletap.h"
 #include "tests/widgets/plotsbench.h"
 #include "widgets/plots/triggerbar.h"
 
 #include <QDir>
+#include <QSignalSpy>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QToolButton>
@@ -52,6 +56,41 @@ PlotLayout currentsAndCommands()
 }
 
 const QString kCurrent1 = u"motor1-current"_s;
+
+/// The session as a recording on the disk.
+bool writeRecording(const QString& path, const TelemetryStore& store, Instant start)
+{
+    auto writer = RecordingWriter::create(path, {});
+    if (!writer) {
+        return false;
+    }
+    SampleTap::Wanted all;
+    all.fill(true);
+    SampleTap tap(store);
+    tap.startAt(start);
+    RecordingBatch batch;
+    tap.take(all, TimeAxis::ticksOf(start), std::size_t(1) << 20U, batch.runs);
+    return bool((*writer)->write(batch)) && bool((*writer)->finish());
+}
+
+/// Pixels around a point that differ between two pictures of twice the plot's size.
+int differences(const QImage& one, const QImage& other, QPointF at)
+{
+    constexpr int kReach = 5;
+    constexpr int kVisible = 60; // of the sum of the three colours
+    const QPoint centre = (at * 2.0).toPoint();
+    int count = 0;
+    for (int x = centre.x() - kReach; x <= centre.x() + kReach; ++x) {
+        for (int y = centre.y() - kReach; y <= centre.y() + kReach; ++y) {
+            const QColor a = one.pixelColor(x, y);
+            const QColor b = other.pixelColor(x, y);
+            count += int(qAbs(a.red() - b.red()) + qAbs(a.green() - b.green())
+                             + qAbs(a.blue() - b.blue())
+                         > kVisible);
+        }
+    }
+    return count;
+}
 
 } // namespace
 
@@ -119,6 +158,59 @@ private slots:
         bench.settle();
         write(bench, u"comparison"_s);
         QCOMPARE(bench.plot(0).frame().references.size(), std::size_t(2));
+    }
+
+    void comparisonWithARecording_data() { themes(); }
+    void comparisonWithARecording()
+    {
+        PlotsBench bench;
+        begin();
+        const QString path = bench.folder.filePath(u"yesterday.trexrec"_s);
+        TelemetryStore yesterday;
+        const Instant before = kPlotsStart - 24h;
+        fillSession(yesterday, before, 30.0, drive(0.5), 11);
+        QVERIFY(writeRecording(path, yesterday, before));
+        fillSession(bench.store, kPlotsStart, 30.0, drive(1.1), 12);
+        bench.now = kPlotsStart + 30s;
+        bench.make();
+        bench.panel->stack().setLayoutOf(only({kCurrent1}, 300));
+        bench.panel->timeline().stand(kPlotsStart + 1s, 13s);
+        bench.settle();
+
+        auto reader = RecordingReader::open(path);
+        QVERIFY(reader);
+        ComparisonRun run(std::move(*reader), path);
+        QSignalSpy loaded(&run, &ComparisonRun::finished);
+        run.start();
+        QTRY_COMPARE(loaded.size(), 1);
+        const int id = run.addTo(bench.references);
+        bench.references.setAlignment(Alignment::Start);
+        bench.panel->showSide(PlotsPanel::kCompareTab);
+        bench.settle();
+        write(bench, u"comparison-recording"_s);
+        const QImage with = bench.plot(0).picture();
+        bench.references.setVisible(id, false);
+        bench.settle();
+        const QImage without = bench.plot(0).picture();
+        QCOMPARE(with.size(), without.size());
+
+        // Its curve is there, with the values that were written, and nowhere else.
+        const TimeSeries& then = yesterday.series("motor1-current");
+        const PlotFrame& frame = bench.plot(0).frame();
+        int drawn = 0;
+        int seen = 0;
+        for (const double second : {3.0, 5.5, 7.5, 9.6, 11.6, 13.5}) { // steady, away from steps
+            const auto after =
+                std::chrono::duration_cast<Duration>(std::chrono::duration<double>(second));
+            const std::size_t index = then.axis().lowerBound(TimeAxis::ticksOf(before + after));
+            const double amperes = then.value(index) * 0.04;
+            const QPointF at(frame.xOf(kPlotsStart + after), frame.yOf(amperes));
+            ++drawn;
+            seen += int(differences(with, without, at) > 0);
+            QCOMPARE(differences(with, without, at - QPointF(0.0, 60.0)), 0);
+        }
+        QVERIFY2(seen >= drawn - 1,
+                 qPrintable(QString::number(seen))); // one may be in a dash's gap
     }
 
     void stackedPlotsWithEvents_data() { themes(); }
