@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QChart>
 #include <QChartView>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -15,6 +16,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+#include <cmath>
 #include <cstdio>
 
 #include <sys/resource.h>
@@ -198,6 +200,37 @@ void measureStart(Results& results)
     results.add(u"start.bare"_s, u"start: a bare QChartView window"_s, median(bareMs), u"ms"_s);
     results.add(u"start.ratio"_s, u"start: trexpanel / bare"_s, median(panelMs) / median(bareMs),
                 {});
+}
+
+void measureOpening(const QString& recording, Results& results)
+{
+    constexpr int kRuns = 3;
+    const auto wait = [](const QString& object, const QString& property, const QJsonObject& what) {
+        QJsonObject condition = what;
+        condition[u"object"_s] = object;
+        condition[u"property"_s] = property;
+        return QJsonObject{{u"waitFor"_s, condition}};
+    };
+    const auto window = wait(u"recordingWindow"_s, u"visible"_s, {{u"equals"_s, true}});
+    // While it loads, the time says so, in percent.
+    const auto loaded =
+        wait(u"recordingWindow/recording.time"_s, u"text"_s, {{u"matches"_s, u"^[^%]+$"_s}});
+    const auto elapsedMs = [](const QStringList& line, const QJsonArray& steps) {
+        QElapsedTimer timer;
+        timer.start();
+        return runPanel(line, steps).passed ? double(timer.nsecsElapsed()) / 1e6 : std::nan("");
+    };
+    std::vector<double> openMs;
+    std::vector<double> loadMs;
+    for (int run = 0; run < kRuns; ++run) {
+        const double without = elapsedMs({u"--simulate"_s}, {});
+        openMs.push_back(elapsedMs({u"--simulate"_s, recording}, {window}) - without);
+        loadMs.push_back(elapsedMs({u"--simulate"_s, recording}, {window, loaded}) - without);
+    }
+    results.add(u"record.day.window"_s, u"record: the day in its window"_s, median(openMs),
+                u"ms"_s);
+    results.add(u"record.day.loaded"_s, u"record: the day in its window, every sample"_s,
+                median(loadMs), u"ms"_s);
 }
 
 void measureProcessor(Results& results)

@@ -125,7 +125,7 @@ void measureRecording(Results& results)
     results.add(u"record.bytes"_s, u"record: file, times and all"_s,
                 double(QFileInfo(live).size()) / double(written.values), u"bytes a value"_s);
 
-    const QString day = folder.filePath(u"day"_s);
+    const QString day = folder.filePath(u"day.trexrec"_s);
     const Written whole = write(day, 24h, 60s);
     results.add(u"record.day.size"_s, u"record: a day of full polling"_s,
                 double(QFileInfo(day).size()) / 1048576.0, u"MiB"_s);
@@ -150,6 +150,7 @@ void measureRecording(Results& results)
                 median(openMs), u"ms"_s);
     results.add(u"record.day.load"_s, u"record: loading every sample of the day"_s, median(loadMs),
                 u"ms"_s);
+    measureOpening(day, results);
 }
 
 } // namespace trex::bench

@@ -12,6 +12,8 @@ void measureProcessor(Results& results); ///< processor time and memory of trexp
 void measureRecording(Results& results); ///< bytes a value, processor time, opening a day
 void measureLines(Results& results); ///< transactions a second on paced lines
 void measureStop(Results& results); ///< from the request to the last stop byte, under load
+/// The real program with this recording: to its window, and until every sample is loaded.
+void measureOpening(const QString& recording, Results& results);
 /// A bare chart window, painted once; prints the milliseconds since the process started.
 [[nodiscard]] int runBareChart();
 
