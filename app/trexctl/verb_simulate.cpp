@@ -149,7 +149,7 @@ constexpr auto kOptions = std::to_array<SimOptionRow>({
      [](SimulateVerb& v, const QString& t) { return v.options().applyParameter(t); }},
     {"--quirk", "NAME=VALUE", QT_TRANSLATE_NOOP("Cli", "calibration-bytes=8, null-command=error, unknown-parameter=ff, serial-timeout=off, safe-start=on, motor-reply=ff, invalid-after=150"), true,
      [](SimulateVerb& v, const QString& t) { return v.options().applyQuirk(t); }},
-    {"--fault", "NAME=VALUE", QT_TRANSLATE_NOOP("Cli", "drop, corrupt, duplicate (chance a byte), delay (ms), garbage (bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s)"), true,
+    {"--fault", "NAME=VALUE", QT_TRANSLATE_NOOP("Cli", "drop, corrupt, duplicate (chance a byte), delay (ms), garbage (bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s); drop-sent, corrupt-sent, repeat-sent (chance a byte of the host), unplugged (controllers)"), true,
      [](SimulateVerb& v, const QString& t) { return v.options().applyFault(t); }},
     {"--scenario", "FILE", QT_TRANSLATE_NOOP("Cli", "channel signals and events (JSON)"), false,
      [](SimulateVerb& v, const QString& t) { return v.options().loadScenario(t); }},

@@ -12,12 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A stop waits for a reply on its way (the controller is deaf meanwhile), but not for one that only
-// a long timeout still hopes for.
-constexpr auto kStopPatience = 100ms;
 // Late replies prolong the wait for the synchronising one, endless noise does not.
 constexpr auto kSynchroniseExtra = 500ms;
-constexpr int kLongestPacket = 16; // of the document's, with header and CRC byte
 
 std::size_t motorSlot(const Command& command)
 {
@@ -78,6 +74,7 @@ void LinkEngine::opened(Instant now)
     m_quietUntil = now;
     m_guard = {};
     m_guard.nextIdentify = now;
+    m_again.at.reset();
     m_needsSync = false;
     m_lastValid = now;
     m_failures = 0;
@@ -97,6 +94,7 @@ void LinkEngine::lineFailed(const Error& error, Instant now)
 {
     m_open = false;
     m_guard = {};
+    m_again.at.reset();
     if (m_flight) {
         const Flight flight = std::move(*m_flight);
         m_flight.reset();
@@ -123,6 +121,7 @@ void LinkEngine::submit(const Transaction& transaction)
     if (transaction.priority == Priority::Stop) {
         m_stops.push_back({transaction});
     } else if (transaction.priority == Priority::Motor) {
+        m_again.at.reset(); // somebody has ordered anew
         const std::size_t slot = motorSlot(transaction.command);
         // Latest wins: an order for both motors also replaces what waits for each of them.
         for (const std::size_t other :
@@ -138,40 +137,6 @@ void LinkEngine::submit(const Transaction& transaction)
     } else {
         m_users.push_back({transaction});
     }
-}
-
-void LinkEngine::stop(const std::vector<Transaction>& packets, Instant now)
-{
-    for (const std::size_t slot : m_motorOrder) {
-        finish(Queued{*m_motors.at(slot)}, fail(ErrorCode::Cancelled));
-        m_motors.at(slot).reset();
-    }
-    m_motorOrder.clear();
-    // Raw bytes may hold a motor command: what waits behind the stop must not start it again.
-    std::deque<Queued> kept;
-    for (const Queued& queued : m_users) {
-        if (queued.transaction.rawBytes.isEmpty()) {
-            kept.push_back(queued);
-        } else {
-            finish(queued, fail(ErrorCode::Cancelled));
-        }
-    }
-    m_users = std::move(kept);
-    if (!m_open) {
-        for (const Transaction& packet : packets) {
-            finish(Queued{packet}, fail(ErrorCode::NotConnected));
-        }
-        return;
-    }
-    for (const Transaction& packet : packets) {
-        m_stops.push_back({packet});
-    }
-    if (m_flight && !packets.empty()) {
-        m_flight->limit =
-            std::min(m_flight->limit, now + kStopPatience + m_settings.timeOf(2 * kLongestPacket));
-        m_flight->deadline = std::min(m_flight->deadline, m_flight->limit);
-    }
-    m_quietUntil = now;
 }
 
 void LinkEngine::setWishes(const PollWishes& wishes, Instant now)
@@ -197,16 +162,22 @@ void LinkEngine::shutDown()
 
 LinkEngine::Action LinkEngine::next(Instant now)
 {
-    m_rates.into(m_batch.stats, now);
-    if (m_flight) {
-        if (now < m_flight->deadline) {
-            return {Action::Kind::Wait, m_flight->deadline, {}};
-        }
-        onDeadline(now);
-        if (m_flight) {
-            return {Action::Kind::Wait, m_flight->deadline, {}};
-        }
+    Action action = decide(now);
+    if (action.kind != Action::Kind::Send && m_again.at && !m_flight) {
+        const bool isIdle = action.kind == Action::Kind::Idle;
+        action = {
+            Action::Kind::Wait, isIdle ? *m_again.at : std::min(action.until, *m_again.at), {}};
     }
+    return action;
+}
+
+LinkEngine::Action LinkEngine::decide(Instant now)
+{
+    m_rates.into(m_batch.stats, now);
+    if (const auto wait = waitForFlight(now)) {
+        return *wait;
+    }
+    stopOnceMore(now);
     if (m_open && !m_stops.empty()) {
         m_guard.drop();
         if (m_guard.line && now < m_guard.deafUntil) {
@@ -297,6 +268,7 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
     const int crc = m_settings.hasCrc() ? 1 : 0;
     int replyBytes = 0;
     Duration wait = m_settings.timeout + m_slack;
+    Duration usual = isRaw ? wait : usualOverhead();
     if (isRaw) {
         replyBytes = transaction.rawReplyBytes > 0 ? transaction.rawReplyBytes + crc : 0;
     } else {
@@ -304,6 +276,7 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
         replyBytes = flight.parser.expectedBytes();
         const CommandRow& row = transaction.command.row();
         wait = std::max<Duration>(m_settings.timeout + m_slack + row.processing, row.giveUp);
+        usual = std::max<Duration>(usual, row.giveUp);
     }
     ++m_batch.stats.transactions;
     ++m_rates.transactions;
@@ -316,6 +289,9 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
     }
     const auto sentCount = static_cast<int>(flight.sentBytes.size());
     m_lineFreeAt = std::max(m_lineFreeAt, now) + m_settings.timeOf(sentCount);
+    if (transaction.priority == Priority::Stop && m_stops.empty()) {
+        doubtStop();
+    }
     noteMotion(transaction);
     Action action{Action::Kind::Send, now, flight.sentBytes, {}};
     if (std::exchange(m_guard.line, std::nullopt)) {
@@ -326,6 +302,7 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
         finish(flight.queued, Reply{transaction.command, {}, flight.sentBytes, now, now});
         return action;
     }
+    flight.expected = m_lineFreeAt + m_settings.timeOf(replyBytes) + usual;
     flight.deadline = m_lineFreeAt + m_settings.timeOf(replyBytes) + wait;
     flight.limit = flight.deadline;
     if (queued.role == Role::Synchronise) {
@@ -341,7 +318,7 @@ void LinkEngine::noteMotion(const Transaction& transaction)
 {
     if (transaction.priority == Priority::Stop) {
         // Only a line known to work takes the motion back: on a dead one nobody has heard it.
-        const bool heard = m_stops.empty() && m_state == LinkState::Connected;
+        const bool heard = m_stops.empty() && !m_again.at && m_state == LinkState::Connected;
         m_motionSent = m_motionSent && !heard;
     } else if (movesMotor(transaction)) {
         m_motionSent = true;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/codec/replyparser.h"
+#include "protocol/session/flight.h"
 #include "protocol/session/lineguard.h"
 #include "protocol/session/linkrates.h"
 #include "protocol/session/pollplan.h"
-#include "protocol/session/transaction.h"
+#include "protocol/session/stopagain.h"
 
 #include <deque>
 #include <optional>
@@ -13,9 +13,9 @@
 namespace trex {
 
 /// The rules of one line, pure: bytes and time in, bytes and values out. One transaction in flight;
-/// nothing is sent while a reply is due; stop before motor before user before poll; queries are
-/// asked again as their row allows, writes never; echo is taken off; late and surplus bytes are
-/// flushed and the line is synchronised before the next reply is believed.
+/// nothing is sent while a reply is due, but stop once it is overdue; stop before motor before user
+/// before poll; queries are asked again as their row allows, writes never; echo is taken off; late
+/// and surplus bytes are flushed and the line is synchronised before the next reply is believed.
 ///
 /// The driver (LinkWorker, or a test with a virtual clock) calls next() and does what it says.
 class LinkEngine {
@@ -41,7 +41,8 @@ public:
     void lineFailed(const Error& error, Instant now);
     void received(QByteArrayView bytes, Instant at);
     void submit(const Transaction& transaction);
-    /// Throws queued motor orders away; these packets go before everything else.
+    /// Throws queued motor orders away; these packets go before everything else, and once more a
+    /// little later where it is doubtful whether they were heard (StopAgain).
     void stop(const std::vector<Transaction>& packets, Instant now);
     void setWishes(const PollWishes& wishes, Instant now);
     /// Fails everything that waits; nothing more is sent but stop packets and lineClearing().
@@ -49,7 +50,10 @@ public:
 
     [[nodiscard]] Action next(Instant now);
     [[nodiscard]] bool isReplyDue() const { return m_flight.has_value(); }
-    [[nodiscard]] bool isStopQueued() const { return !m_stops.empty(); }
+    /// The reply has had all the time that it should need: waiting longer is mere hope.
+    [[nodiscard]] bool isReplyOverdue(Instant now) const { return m_flight && now >= overdueAt(); }
+    [[nodiscard]] Instant overdueAt() const; ///< while a reply is due
+    [[nodiscard]] bool isStopQueued() const { return !m_stops.empty() || m_again.at; }
     [[nodiscard]] bool isClearing() const { return m_guard.isBusy(); }
     [[nodiscard]] Instant lineFreeAt() const { return m_lineFreeAt; }
     [[nodiscard]] LinkState state() const { return m_state; }
@@ -60,26 +64,12 @@ public:
     static constexpr std::chrono::milliseconds kMostSlack{250}; ///< waited for late replies
 
 private:
-    /// Identify: a signature. Probe: what may be asked before it (lineProbe()).
-    enum class Role : std::uint8_t { Normal, Identify, Probe, Synchronise };
-    struct Queued {
-        Transaction transaction;
-        int attempt = 1;
-        std::optional<PollId> poll{};
-        Role role = Role::Normal;
-    };
-    struct Flight {
-        Queued queued;
-        ReplyParser parser;
-        QByteArray sentBytes;
-        QByteArray received; ///< echo left out
-        Instant sent;
-        Instant deadline;
-        Instant limit; ///< no deadline goes beyond it
-        Instant lastByte;
-    };
+    using Role = FlightRole;
+    using Queued = QueuedTransaction;
     enum class Echo : std::uint8_t { Unknown, Yes, No };
 
+    [[nodiscard]] Action decide(Instant now);
+    [[nodiscard]] std::optional<Action> waitForFlight(Instant now);
     [[nodiscard]] std::optional<Queued> choose(Instant now);
     [[nodiscard]] Action send(const Queued& queued, Instant now);
     [[nodiscard]] Action sendPiece(Instant now);
@@ -110,6 +100,10 @@ private:
     void setState(LinkState state, const std::optional<Error>& error, Instant now);
     void loseLink(const Error& error, Instant now);
     void queueStopForLoss();
+    void overtake(Instant now);
+    void doubtStop();
+    void stopOnceMore(Instant now);
+    [[nodiscard]] Duration usualOverhead() const;
     void stopAfterWrite();
     [[nodiscard]] Error identifyFailure() const;
     void noteMotion(const Transaction& transaction);
@@ -121,6 +115,7 @@ private:
     bool m_shutDown = false;
     LinkState m_state = LinkState::Disconnected;
     std::deque<Queued> m_stops;
+    StopAgain m_again;
     std::array<std::optional<Transaction>, 4> m_motors; ///< 1, 2, both, aux: latest wins
     std::deque<std::size_t> m_motorOrder;
     std::deque<Queued> m_users;

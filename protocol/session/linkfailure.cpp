@@ -35,8 +35,10 @@ void LinkEngine::queueStopForLoss()
     if (!m_motionSent || !m_open || !m_stops.empty()) {
         return;
     }
+    m_again = {.lastFailure = m_again.lastFailure};
     for (const Command& command : stopCommands(false)) {
-        m_stops.push_back({{.command = command, .priority = Priority::Stop}});
+        m_again.packets.push_back({.command = command, .priority = Priority::Stop});
+        m_stops.push_back({m_again.packets.back()});
     }
 }
 
@@ -83,6 +85,7 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
         stopAfterWrite();
     }
     ++m_failures;
+    m_again.lastFailure = now;
     LinkStats& stats = m_batch.stats;
     if (code == ErrorCode::BadReplyCrc) {
         ++stats.crcErrors;

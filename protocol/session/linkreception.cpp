@@ -317,6 +317,9 @@ void LinkEngine::flushed(qsizetype bytes, Instant at)
 {
     m_batch.stats.surplusBytes += static_cast<quint64>(bytes);
     m_needsSync = m_state == LinkState::Connected && m_identify;
+    if (m_again.at) { // the controller did send, and listens when it has done
+        m_again.at = std::min(m_again.latest, at + m_settings.timeOf(2));
+    }
     m_noisySince = m_noisySince.value_or(at);
     m_quietUntil =
         std::max(m_quietUntil, std::min(at + m_settings.timeOf(2), *m_noisySince + kLongestNoise));

@@ -269,7 +269,7 @@ bool LinkWorker::step()
     case LinkEngine::Action::Kind::Wait:
         break;
     }
-    if (m_engine->isReplyDue()) {
+    if (m_engine->isReplyDue() && !m_engine->isReplyOverdue(clockNow())) {
         waitForReply();
         return true;
     }
@@ -285,18 +285,20 @@ bool LinkWorker::step()
 }
 
 /// Waits on the port while a reply is due: nothing may be sent before it anyway, and the event loop
-/// would cost a part of the line (42 µs a reply against 68 µs). Bounded; the caller comes again.
+/// would cost a part of the line (42 µs a reply against 68 µs). Bounded, and not beyond the time at
+/// which a stop need not wait any longer; the caller comes again.
 void LinkWorker::waitForReply()
 {
     const Instant end = clockNow() + kLongestBlock;
-    for (Instant now = clockNow(); m_isOpen && m_engine->isReplyDue() && now < end;
+    for (Instant now = clockNow();
+         m_isOpen && m_engine->isReplyDue() && !m_engine->isReplyOverdue(now) && now < end;
          now = clockNow()) {
         const LinkEngine::Action action = m_engine->next(now);
         if (action.kind == LinkEngine::Action::Kind::Send) {
             send(action);
         } else if (action.kind == LinkEngine::Action::Kind::Wait && m_engine->isReplyDue()) {
-            m_transport->waitForBytes(
-                std::max<Duration>(std::min(action.until, end) - clockNow(), Duration(1)));
+            const Instant until = std::min({action.until, end, m_engine->overdueAt()});
+            m_transport->waitForBytes(std::max<Duration>(until - clockNow(), Duration(1)));
         }
         publish(false);
     }

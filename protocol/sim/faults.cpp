@@ -24,24 +24,29 @@ constexpr double kMostGarbage = 4096;
 constexpr double kLongestTime = 1e9;
 constexpr double kLastByte = 1e12;
 constexpr double kAllBits = 255;
+constexpr double kMostControllers = 128;
 
 constexpr std::array kFaults{
     FaultRow{"corrupt"_L1, 1.0, [](Faults& f, double v) { f.corrupt = v; }},
     FaultRow{"corrupt-at"_L1, kLastByte, [](Faults& f, double v) { f.corruptAt = qint64(v); }},
     FaultRow{"corrupt-mask"_L1, kAllBits,
              [](Faults& f, double v) { f.corruptMask = static_cast<std::uint8_t>(v); }},
+    FaultRow{"corrupt-sent"_L1, 1.0, [](Faults& f, double v) { f.corruptSent = v; }},
     FaultRow{"delay"_L1, kLongestDelayMs, [](Faults& f, double v) { f.delayMs = v; }},
     FaultRow{"drop"_L1, 1.0, [](Faults& f, double v) { f.drop = v; }},
     FaultRow{"drop-at"_L1, kLastByte, [](Faults& f, double v) { f.dropAt = qint64(v); }},
+    FaultRow{"drop-sent"_L1, 1.0, [](Faults& f, double v) { f.dropSent = v; }},
     FaultRow{"duplicate"_L1, 1.0, [](Faults& f, double v) { f.duplicate = v; }},
     FaultRow{"garbage"_L1, kMostGarbage, [](Faults& f, double v) { f.garbage = int(v); }},
     FaultRow{"hangup-after"_L1, kLongestTime, [](Faults& f, double v) { f.hangupAfter = v; }},
     FaultRow{"hangup-at"_L1, kLastByte, [](Faults& f, double v) { f.hangupAt = qint64(v); }},
     FaultRow{"hangup-for"_L1, kLongestTime, [](Faults& f, double v) { f.hangupFor = v; }},
+    FaultRow{"repeat-sent"_L1, 1.0, [](Faults& f, double v) { f.repeatSent = v; }},
     FaultRow{"reset-after"_L1, kLongestTime, [](Faults& f, double v) { f.resetAfter = v; }},
     FaultRow{"reset-at"_L1, kLastByte, [](Faults& f, double v) { f.resetAt = qint64(v); }},
     FaultRow{"silent-after"_L1, kLongestTime, [](Faults& f, double v) { f.silentAfter = v; }},
     FaultRow{"silent-for"_L1, kLongestTime, [](Faults& f, double v) { f.silentFor = v; }},
+    FaultRow{"unplugged"_L1, kMostControllers, [](Faults& f, double v) { f.unplugged = int(v); }},
 };
 
 FaultWindow window(const std::optional<double>& after, const std::optional<double>& length,
@@ -155,6 +160,17 @@ QByteArray damaged(QByteArrayView reply, const Faults& faults, Random& random)
         }
     }
     return result;
+}
+
+int arrivals(std::uint8_t& value, const Faults& faults, Random& random)
+{
+    if (random.chance(faults.dropSent)) {
+        return 0;
+    }
+    if (random.chance(faults.corruptSent)) {
+        value = static_cast<std::uint8_t>(value ^ (1U << (random.next() >> 61U)));
+    }
+    return random.chance(faults.repeatSent) ? 2 : 1;
 }
 
 } // namespace trex::sim

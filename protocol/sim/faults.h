@@ -42,6 +42,10 @@ private:
 /// | corrupt-at   | byte number         | its bits of corrupt-mask (default 1) are flipped       |
 /// | hangup-at    | byte number         | the port is gone from that byte on, for hangup-for     |
 /// | reset-at     | byte number         | that byte is lost in a brown-out                       |
+/// | drop-sent    | chance a host byte  | the byte does not reach the controllers                |
+/// | corrupt-sent | chance a host byte  | one of its bits is flipped on the way                  |
+/// | repeat-sent  | chance a host byte  | the controllers hear it twice                          |
+/// | unplugged    | controllers         | the last so many of the line hear and say nothing      |
 ///
 /// Times count from the start of the line, or from the scenario event that sets them. Byte numbers
 /// count what crosses the wire in either direction since the start of the line, from 1; the echo is
@@ -63,6 +67,10 @@ struct Faults {
     std::uint8_t corruptMask = 1;
     std::optional<qint64> hangupAt;
     std::optional<qint64> resetAt;
+    double dropSent = 0.0;
+    double corruptSent = 0.0;
+    double repeatSent = 0.0;
+    int unplugged = 0;
 
     /// "drop", 0.1. OutOfRange with a sentence for an unknown name or a value out of range.
     [[nodiscard]] Result<void> apply(const QString& name, double value);
@@ -88,5 +96,7 @@ enum class ByteFate : std::uint8_t { Passes, Dropped, HangsUp, Resets };
 [[nodiscard]] bool damages(const Faults& faults);
 /// A reply as it comes out of a bad line: drop, corrupt, duplicate, garbage.
 [[nodiscard]] QByteArray damaged(QByteArrayView reply, const Faults& faults, Random& random);
+/// How often a byte of the host arrives, 0 to 2; `value` as it does.
+[[nodiscard]] int arrivals(std::uint8_t& value, const Faults& faults, Random& random);
 
 } // namespace trex::sim

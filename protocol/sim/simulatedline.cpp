@@ -149,16 +149,30 @@ void SimulatedLine::deliver(const Incoming& byte)
     if (m_hangUp.contains(seconds(byte.end)) || !crosses(value, byte.end)) {
         return;
     }
-    for (std::size_t i = 0; i < m_devices.size(); ++i) {
-        if (m_toDevice[i].isTransparent()) {
-            m_devices[i]->receive({value}, byte.begin, byte.end);
-        } else {
-            m_sampled.clear();
-            m_toDevice[i].feed(value, byte.begin, m_sampled);
-            hear(i);
+    for (int count = arrivals(value, m_faults, m_random); count > 0; --count) {
+        for (std::size_t i = 0; i < m_devices.size(); ++i) {
+            if (isPlugged(i)) {
+                deliverTo(i, value, byte);
+            }
         }
-        collectReplies(i);
     }
+}
+
+void SimulatedLine::deliverTo(std::size_t device, std::uint8_t value, const Incoming& byte)
+{
+    if (m_toDevice[device].isTransparent()) {
+        m_devices[device]->receive({value}, byte.begin, byte.end);
+    } else {
+        m_sampled.clear();
+        m_toDevice[device].feed(value, byte.begin, m_sampled);
+        hear(device);
+    }
+    collectReplies(device);
+}
+
+bool SimulatedLine::isPlugged(std::size_t device) const
+{
+    return std::ssize(m_devices) - static_cast<std::ptrdiff_t>(device) > m_faults.unplugged;
 }
 
 // A receiver at another speed may still be in the middle of what it takes for a byte.

@@ -89,6 +89,8 @@ private:
     void applyFaults(const ScenarioEvent& event);
     void resetControllers();
     void deliver(const Incoming& byte);
+    void deliverTo(std::size_t device, std::uint8_t value, const Incoming& byte);
+    [[nodiscard]] bool isPlugged(std::size_t device) const;
     void settle(std::size_t device);
     void hear(std::size_t device);
     [[nodiscard]] bool crosses(std::uint8_t& value, Instant at);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stop latency: from the request on the main thread to the moment when the last stop byte has been
 // handed to the line, at three speeds of the line, idle, at full polling, and with lost bytes. The
-// bound is what the controller's deafness costs: the transaction in flight (with drops: until it is
-// given up), the stop packets on the wire, and 2 ms for the program.
+// bound is what the controller's deafness costs: the transaction in flight, the stop packets on the
+// wire, and 2 ms for the program.
 #include "protocol/codec/packet.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/linkengine.h"
@@ -25,7 +25,6 @@ constexpr int kStops = 200; ///< each case
 constexpr auto kProgram = 2ms;
 constexpr int kReplyBytes = 10; ///< of the longest poll
 constexpr int kRequestBytes = 2;
-constexpr int kLongestExchange = 32; ///< bytes
 
 enum class Load { Idle, Polling, Drops };
 
@@ -40,11 +39,8 @@ double boundMs(const LineSettings& line, Load load)
     for (const Command& command : stopCommands(false)) {
         bound += line.timeOf(static_cast<int>(encode(command, line).size()));
     }
-    if (load == Load::Polling) {
+    if (load != Load::Idle) {
         bound += line.timeOf(kRequestBytes + kReplyBytes);
-    }
-    if (load == Load::Drops) { // LinkEngine's patience with a reply once a stop waits
-        bound += 100ms + line.timeOf(kLongestExchange);
     }
     return milliseconds(bound);
 }

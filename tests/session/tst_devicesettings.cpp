@@ -227,7 +227,12 @@ private slots:
         connect(&server, &QTcpServer::newConnection, &server, [&] {
             QTcpSocket* peer = server.nextPendingConnection();
             connect(peer, &QTcpSocket::readyRead, peer, [peer, &writes] {
-                const QByteArray packet = peer->readAll(); // one at a time: the host waits
+                QByteArray packet = peer->readAll(); // one at a time: the host waits, but for stops
+                packet.replace(QByteArray::fromHex("da0000"), QByteArray());
+                packet.replace(QByteArray::fromHex("f000"), QByteArray());
+                if (packet.isEmpty()) {
+                    return;
+                }
                 switch (static_cast<std::uint8_t>(packet.front())) {
                 case 0x81:
                     peer->write("TReXJr1.2");

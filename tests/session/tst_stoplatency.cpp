@@ -2,6 +2,7 @@
 // Stop latency as the law of the line has it, on virtual time: from the request to the moment when
 // the last stop byte has been handed to the line. What the program's own threads add is measured by
 // `./dev bench stop`.
+#include "protocol/codec/lineprobe.h"
 #include "protocol/codec/packet.h"
 #include "tests/support/simulatedlink.h"
 
@@ -19,18 +20,15 @@ constexpr int kStops = 400;
 constexpr auto kProgram = 2ms; ///< not used up here: there are no threads
 constexpr int kRequestBytes = 2; // of the longest poll
 constexpr int kReplyBytes = 10;
-constexpr auto kPatience = 100ms;
-constexpr int kLongestExchange = 32; // bytes
 
-enum class Load { Idle, Polling, Drops };
+enum class Load { Idle, Polling, Drops, SentDrops, Silence };
 
 double milliseconds(Duration duration)
 {
     return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-/// The transaction in flight (with drops: until it is given up), the stop packets on the wire, 2
-/// ms.
+/// The transaction in flight, the stop packets on the wire, 2 ms.
 Duration boundOf(const LineSettings& line, Load load)
 {
     Duration bound = kProgram;
@@ -38,10 +36,14 @@ Duration boundOf(const LineSettings& line, Load load)
         bound += line.timeOf(static_cast<int>(encode(command, line).size()));
     }
     const int crc = line.hasCrc() ? 2 : 0;
-    if (load == Load::Polling) {
-        bound += line.timeOf(kRequestBytes + kReplyBytes + crc);
+    if (load == Load::Silence) { // lost: the line may be set otherwise, to close open packets
+        Duration longest{0};
+        for (const WirePiece& piece : lineClearing()) {
+            longest = std::max(longest, piece.line.timeOf(static_cast<int>(piece.bytes.size())));
+        }
+        bound += longest + kWireRest;
     }
-    return load == Load::Drops ? bound + kPatience + line.timeOf(kLongestExchange) : bound;
+    return load == Load::Idle ? bound : bound + line.timeOf(kRequestBytes + kReplyBytes + crc);
 }
 
 } // namespace
@@ -58,7 +60,9 @@ private slots:
         for (const int baud : {1200, 19200, 115200}) {
             for (const auto& [load, name] :
                  {std::pair{Load::Idle, "idle"}, std::pair{Load::Polling, "full polling"},
-                  std::pair{Load::Drops, "full polling, 10 % drops"}}) {
+                  std::pair{Load::Drops, "full polling, 10 % drops"},
+                  std::pair{Load::SentDrops, "full polling, 10 % drops, sent"},
+                  std::pair{Load::Silence, "full polling, no replies"}}) {
                 for (const bool crc : {false, true}) {
                     QTest::addRow("%d baud, %s%s", baud, name, crc ? ", CRC-7" : "")
                         << baud << static_cast<int>(load) << crc;
@@ -91,11 +95,13 @@ private slots:
             }
             link.engine.setWishes(wishes, link.now);
         }
-        if (kind == Load::Drops) {
-            sim::Faults faults;
-            faults.drop = 0.1;
-            link.line.setFaults(faults, link.now);
+        sim::Faults faults;
+        faults.drop = kind == Load::Drops ? 0.1 : 0.0;
+        faults.dropSent = kind == Load::SentDrops ? 0.1 : 0.0;
+        if (kind == Load::Silence) {
+            faults.silentFor = sim::Faults::kNever;
         }
+        link.line.setFaults(faults, link.now);
         std::vector<double> latencies;
         sim::Random random(3);
         for (int i = 0; i < kStops; ++i) {

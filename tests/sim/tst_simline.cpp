@@ -26,6 +26,9 @@ private slots:
     void faults_followFromTheSeed_data();
     void faults_followFromTheSeed();
     void delay_postponesReplies();
+    void hostBytes_areHarmedOnTheirWay_data();
+    void hostBytes_areHarmedOnTheirWay();
+    void unplugged_hearsAndSaysNothing();
     void silence_hasAnEnd();
     void hangUp_comesAndGoes();
     void brownOut_losesRamOnly();
@@ -259,6 +262,51 @@ void TstSimLine::delay_postponesReplies()
     SimBench bench(options);
     QCOMPARE(bench.ask("82", 40), QByteArray());
     QCOMPARE(bench.hear(1), QByteArray("72"));
+}
+
+void TstSimLine::hostBytes_areHarmedOnTheirWay_data()
+{
+    QTest::addColumn<QString>("fault");
+    QTest::newRow("drop-sent") << "drop-sent=0.2";
+    QTest::newRow("corrupt-sent") << "corrupt-sent=0.2";
+    QTest::newRow("repeat-sent") << "repeat-sent=0.2";
+}
+
+void TstSimLine::hostBytes_areHarmedOnTheirWay()
+{
+    QFETCH(QString, fault);
+    SimOptions options;
+    QVERIFY(options.applyFault(fault));
+    SimBench bench(options);
+    int good = 0;
+    int silent = 0;
+    int twice = 0;
+    for (int i = 0; i < 400; ++i) { // whole answers, but not always to the question
+        const QByteArray reply = bench.ask("82", 5);
+        good += reply == "72" ? 1 : 0;
+        silent += reply.isEmpty() ? 1 : 0;
+        twice += reply == "7272" ? 1 : 0;
+    }
+    QVERIFY2(good > 240 && good < 400, qPrintable(QString::number(good)));
+    QCOMPARE(twice > 40, fault.startsWith(QLatin1String("repeat")));
+    QCOMPARE(silent > 40, !fault.startsWith(QLatin1String("repeat")));
+}
+
+void TstSimLine::unplugged_hearsAndSaysNothing()
+{
+    SimOptions options;
+    options.devices = {7, 7};
+    QVERIFY(options.applyFault(QStringLiteral("unplugged=1")));
+    SimBench bench(options);
+    bench.device(1).setParameter(0x13, 0x0F);
+    bench.device(0).setParameter(0x13, 0x3C);
+    QCOMPARE(bench.askByte("80071F13"), 0x3C);
+    bench.tell("C240");
+    QCOMPARE(bench.device(1).output(MotorId::Motor1).speed, 0);
+    bench.line.setFaults({}, bench.now());
+    QCOMPARE(bench.askByte("80071F13"), 0x0C); // joined by AND
+    bench.tell("C240");
+    QCOMPARE(bench.device(1).output(MotorId::Motor1).speed, 0x40);
 }
 
 void TstSimLine::silence_hasAnEnd()
