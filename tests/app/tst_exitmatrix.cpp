@@ -39,6 +39,7 @@ struct Way {
     double statedMs = kStatedMs;
     int serialTimeout = 0; ///< of the controller; raw
     bool endsAtOnce = false; ///< nothing is played after it
+    bool standsStill = false; ///< the program is there, and does nothing any more
 };
 
 // A lost line takes 500 ms of silence to be known, and stop is the first thing it hears when it is
@@ -71,6 +72,9 @@ const std::vector<Way>& ways()
         {.name = "SIGFPE", .signalNumber = SIGFPE},
         {.name = "SIGILL", .signalNumber = SIGILL},
         {.name = "SIGQUIT", .signalNumber = SIGQUIT},
+        {.name = "SIGUSR1", .signalNumber = SIGUSR1},
+        {.name = "SIGXCPU", .signalNumber = SIGXCPU},
+        {.name = "SIGTSTP", .signalNumber = SIGTSTP, .standsStill = true},
         {.name = "SIGKILL",
          .signalNumber = SIGKILL,
          .statedMs = 650.0,
@@ -381,7 +385,7 @@ void TestExitMatrix::carryOut(const Case& c, QProcess& program, test::SimWitness
             break;
         }
         }
-        if (way.line != Way::Line::Fine) {
+        if (way.line != Way::Line::Fine || way.standsStill) {
             QTest::qWait(2500); // and nothing moves when the line is back
             ::kill(static_cast<pid_t>(program.processId()), SIGKILL);
         }
@@ -389,6 +393,9 @@ void TestExitMatrix::carryOut(const Case& c, QProcess& program, test::SimWitness
     QVERIFY2(program.waitForFinished(kLongest), "the program does not end");
     if (way.signalNumber == SIGKILL) {
         QTest::qWait(900); // the serial timeout's turn
+    }
+    if (way.standsStill) {
+        return;
     }
     if (way.steps.isEmpty() && way.line == Way::Line::Fine) {
         const bool isGraceful =
