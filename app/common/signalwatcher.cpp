@@ -46,6 +46,11 @@ SignalWatcher::SignalWatcher(std::initializer_list<int> signalNumbers, QObject* 
     m_notifier = new QSocketNotifier(ends[0], QSocketNotifier::Read, this);
     connect(m_notifier, &QSocketNotifier::activated, this, &SignalWatcher::readPipe);
     for (const int number : signalNumbers) {
+        struct sigaction before { };
+        if (number == SIGHUP && ::sigaction(number, nullptr, &before) == 0
+            && before.sa_handler == SIG_IGN) {
+            continue;
+        }
         struct sigaction action { };
         action.sa_handler = onSignal;
         action.sa_flags = SA_RESTART;

@@ -11,7 +11,7 @@ namespace trex {
 
 /// Turns Unix signals (SIGINT, SIGTERM, SIGUSR1) into a Qt signal on the thread that made it: the
 /// handler only writes a byte to a pipe. One at a time; where there are no Unix signals it does
-/// nothing.
+/// nothing. SIGHUP stays ignored in a program that was started so (nohup).
 class SignalWatcher : public QObject {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(SignalWatcher)

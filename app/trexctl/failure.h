@@ -15,7 +15,7 @@ struct Cli {
 
 namespace exitcode {
 inline constexpr int kDone = 0, kRefused = 1, kUsage = 2, kNoReply = 3, kPort = 4, kDiffers = 5,
-                     kInterrupted = 130;
+                     kInterrupted = 130, kPipeClosed = 141;
 }
 
 struct Failure {

@@ -6,6 +6,7 @@
 #include "app/trexctl/session.h"
 #include "protocol/storage/datafolder.h"
 #include "protocol/storage/linesettingsstore.h"
+#include "protocol/transport/laststop.h"
 
 #include <QCoreApplication>
 
@@ -17,7 +18,11 @@ namespace {
 
 int run(CommandLine& commandLine, SettingsFile& settings, const OpenOptions& options)
 {
-    SignalWatcher signalWatcher{SIGINT, SIGTERM, SIGUSR1};
+#ifdef SIGHUP
+    SignalWatcher signalWatcher{SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGTSTP};
+#else
+    SignalWatcher signalWatcher{SIGINT, SIGTERM};
+#endif
     Session session(commandLine.verb(), options, commandLine.isJson(),
                     journalPath(settings.path()));
     logWire(session.controller(), commandLine.verbosity());
@@ -28,7 +33,19 @@ int run(CommandLine& commandLine, SettingsFile& settings, const OpenOptions& opt
         }
     });
     QObject::connect(&signalWatcher, &SignalWatcher::received, &session, [&](int number) {
-        number == SIGUSR1 ? commandLine.verb().powerCycle() : session.interrupt();
+#ifdef SIGHUP
+        if (number == SIGUSR1) {
+            commandLine.verb().powerCycle();
+            return;
+        }
+        if (number == SIGTSTP && !commandLine.verb().stopsOnClose()) {
+            std::raise(SIGSTOP); // no motor is in its care
+            return;
+        }
+#else
+        Q_UNUSED(number)
+#endif
+        session.interrupt(); // Ctrl+Z, too: a program that stands still cannot stop a motor
     });
     QMetaObject::invokeMethod(&session, &Session::start, Qt::QueuedConnection);
     return QCoreApplication::exec();
@@ -38,6 +55,7 @@ int run(CommandLine& commandLine, SettingsFile& settings, const OpenOptions& opt
 
 int main(int argc, char* argv[])
 {
+    laststop::installCrashHandlers();
     QCoreApplication app(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("trexctl"));
     QCoreApplication::setApplicationVersion(QLatin1StringView(kVersion));

@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 
@@ -41,6 +42,7 @@ void Output::write(QByteArray line)
     const auto size = static_cast<std::size_t>(line.size());
     m_isGood = std::fwrite(line.constData(), 1, size, stdout) == size && std::fflush(stdout) == 0
         && m_isGood;
+    m_isReaderGone = m_isReaderGone || (!m_isGood && errno == EPIPE);
 }
 
 double rounded(double number, int decimals)

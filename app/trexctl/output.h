@@ -24,11 +24,14 @@ public:
     void answer(const QJsonArray& document, const QString& lines);
     /// False when stdout has taken something badly (a full disk, a closed pipe).
     [[nodiscard]] bool isGood() const { return m_isGood; }
+    /// The other end of the pipe has been closed (`| head`): no failure, and nobody to tell.
+    [[nodiscard]] bool isReaderGone() const { return m_isReaderGone; }
 
 private:
     void write(QByteArray line);
     bool m_isJson;
     bool m_isGood = true;
+    bool m_isReaderGone = false;
 };
 
 /// A number for JSON without digits that nobody measured: 2.2, never 2.2000000000000002.

@@ -143,7 +143,9 @@ void Session::end(int exitCode)
     if (hasEnded()) {
         return;
     }
-    if (exitCode == exitcode::kDone && !m_output.isGood()) {
+    if (exitCode == exitcode::kDone && m_output.isReaderGone()) {
+        exitCode = exitcode::kPipeClosed; // as of a program that SIGPIPE has ended: without a word
+    } else if (exitCode == exitcode::kDone && !m_output.isGood()) {
         fail(Error{ErrorCode::FileUnwritable, Cli::tr("the answer to standard output")});
         return;
     }

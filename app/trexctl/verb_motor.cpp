@@ -4,6 +4,8 @@
 #include "app/trexctl/controllertext.h"
 #include "app/trexctl/verbs.h"
 #include "protocol/codec/packet.h"
+#include "protocol/errortext.h"
+#include "protocol/session/serialtimeoutwatch.h"
 
 #include <CLI/CLI.hpp>
 
@@ -34,6 +36,8 @@ constexpr auto kActions = std::to_array<ActionRow>({
 });
 
 constexpr std::chrono::milliseconds kSettle{10};
+constexpr std::chrono::milliseconds kLook{20}; // how often a drive with an end is looked at
+constexpr double kLongestSeconds = 3600.0;
 
 using Orders = std::vector<std::pair<MotorId, MotorOrder>>;
 
@@ -93,11 +97,34 @@ public:
             co_return;
         }
         const bool isPending = control->payload.front() == 0;
+        if (const auto seconds = duration()) {
+            if (isPending) {
+                session.fail(Failure{exitcode::kRefused,
+                                     Cli::tr("Serial does not control the motors now, and a drive "
+                                             "with --duration does not wait for it.")});
+                co_return;
+            }
+            const Instant end = std::chrono::steady_clock::now()
+                + std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*seconds));
+            while (session.controller().isArmed() && std::chrono::steady_clock::now() < end) {
+                co_await session.sleepUntil(
+                    std::min(end, std::chrono::steady_clock::now() + kLook));
+            }
+            if (const QString reason = endedEarly(session); !reason.isEmpty()) {
+                session.fail(Failure{exitcode::kNoReply, reason});
+                co_return;
+            }
+            co_await session.need<Reply>([&session](const Awaiting<Reply>::Handler& handler) {
+                session.controller().stop(Controller::StopKind::Coast, &session, handler);
+            });
+        }
         const QString sent = toHex(session.sentMotorBytes());
-        session.output().answer(QJsonObject{{u"sent"_s, sent},
-                                            {u"motors"_s, motorsJson(orders())},
-                                            {u"pending"_s, isPending}},
-                                motorsText(orders()));
+        QJsonObject answer{
+            {u"sent"_s, sent}, {u"motors"_s, motorsJson(orders())}, {u"pending"_s, isPending}};
+        if (const auto seconds = duration()) {
+            answer[u"seconds"_s] = *seconds;
+        }
+        session.output().answer(answer, motorsText(orders()));
         if (isPending) {
             session.warn(pendingText());
         }
@@ -105,9 +132,25 @@ public:
     }
 
 protected:
+    /// How long the orders are to hold, in seconds; none: they are left standing.
+    [[nodiscard]] virtual std::optional<double> duration() const { return std::nullopt; }
     [[nodiscard]] virtual Orders orders() const = 0;
     virtual Result<void> send(Session& session, const Awaiting<Reply>::Handler& handler) = 0;
     [[nodiscard]] virtual QString pendingText() const = 0;
+
+private:
+    /// Why a drive with an end is over before it; empty: it is not.
+    static QString endedEarly(Session& session)
+    {
+        const Controller& controller = session.controller();
+        if (controller.isArmed()) {
+            return {};
+        }
+        const QString why = controller.lastError()
+            ? errorText(*controller.lastError())
+            : disarmText(controller.gate().lastDisarming().reason);
+        return Cli::tr("The drive has ended before its time: %1").arg(why);
+    }
 };
 
 class MotorVerb : public DriveVerb {
@@ -128,16 +171,51 @@ public:
             ->required()
             ->expected(1, 2)
             ->type_name("");
+        app.add_option_function<std::string>(
+               "--duration",
+               [this](const std::string& given) { m_durationText = QString::fromStdString(given); },
+               text(Cli::tr("stop all motors after this many seconds, and when interrupted; "
+                            "without it the motors are left as told")))
+            ->type_name("S");
     }
+
+    [[nodiscard]] Line line() const override { return m_duration ? Line::Identified : Line::Open; }
+    [[nodiscard]] bool stopsOnClose() const override { return m_duration.has_value(); }
 
     Checked check(const OpenOptions&) override
     {
-        return readMotors().and_then([this] { return readAction(); }).and_then([this] {
-            return readAmounts();
-        });
+        return readMotors()
+            .and_then([this] { return readAction(); })
+            .and_then([this] { return readAmounts(); })
+            .and_then([this]() -> Checked {
+                if (m_durationText.isNull()) {
+                    return {};
+                }
+                return checked(positiveNumber("--duration", m_durationText, kLongestSeconds)
+                                   .map([this](double seconds) { m_duration = seconds; }));
+            });
+    }
+
+    /// Whoever interrupts an order no longer wants it.
+    void interrupted(Session& session) override
+    {
+        if (m_isInterrupted || !m_isSent) {
+            session.end(exitcode::kInterrupted);
+            return;
+        }
+        m_isInterrupted = true;
+        session.controller().stop(
+            Controller::StopKind::Coast, &session, [&session](const Result<Reply>& stopped) {
+                session.tell(stopped ? Cli::tr("Interrupted; the motors were told to stop.")
+                                     : Cli::tr("Interrupted; stop could not be sent: %1")
+                                           .arg(errorText(stopped.error())));
+                session.end(exitcode::kInterrupted);
+            });
     }
 
 protected:
+    [[nodiscard]] std::optional<double> duration() const override { return m_duration; }
+
     Orders orders() const override
     {
         Orders all;
@@ -150,6 +228,10 @@ protected:
     Result<void> send(Session& session, const Awaiting<Reply>::Handler& handler) override
     {
         Controller& controller = session.controller();
+        if (m_duration) {
+            m_timeoutWatch = std::make_unique<SerialTimeoutWatch>(controller, session.settings());
+        }
+        m_isSent = true;
         return controller.arm().and_then([&] {
             return m_motors.size() == 2
                 ? controller.driveBoth(m_orders[0], m_orders[1], &session, handler)
@@ -226,6 +308,11 @@ private:
     std::vector<MotorId> m_motors;
     MotorOrder::Action m_action = MotorOrder::Action::Set;
     std::vector<MotorOrder> m_orders;
+    QString m_durationText;
+    std::optional<double> m_duration;
+    std::unique_ptr<SerialTimeoutWatch> m_timeoutWatch; ///< keeps the serial timeout from acting
+    bool m_isSent = false;
+    bool m_isInterrupted = false;
 };
 
 class StopVerb : public DriveVerb {

@@ -38,11 +38,14 @@ int main(int argc, char* argv[])
 
     Program program(options);
 #ifdef SIGHUP
-    SignalWatcher signalWatcher{SIGINT, SIGTERM, SIGHUP};
+    SignalWatcher signalWatcher{SIGINT, SIGTERM, SIGHUP, SIGTSTP};
+    QObject::connect(&signalWatcher, &SignalWatcher::received, &program, [&program](int number) {
+        number == SIGTSTP ? program.suspend() : program.quit();
+    });
 #else
     SignalWatcher signalWatcher{SIGINT, SIGTERM};
-#endif
     QObject::connect(&signalWatcher, &SignalWatcher::received, &program, &Program::quit);
+#endif
     if (const Result<void> started = program.start(); !started) {
         printMessage(QStringLiteral("trexpanel: ") + errorText(started.error()));
         return 2;

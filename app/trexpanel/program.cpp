@@ -16,6 +16,7 @@
 #include <QApplication>
 #include <QDir>
 
+#include <csignal>
 #include <cstdio>
 
 namespace trex {
@@ -236,6 +237,18 @@ void Program::quit()
     connect(&m_controller, &Controller::closed, this, &Program::finish);
     m_patience.start(kPatience);
     m_controller.close();
+}
+
+void Program::suspend()
+{
+#ifdef SIGSTOP
+    if (m_controller.gate().isArmed()) {
+        m_controller.stop(Controller::StopKind::Coast, this,
+                          [](const Result<Reply>& /*sent*/) { std::raise(SIGSTOP); });
+    } else {
+        std::raise(SIGSTOP);
+    }
+#endif
 }
 
 void Program::finish()

@@ -44,6 +44,7 @@ public:
     /// an option, the script or the settings file.
     [[nodiscard]] Result<void> start();
     void quit(); ///< stops the motors, closes the line (bounded), writes the report, exits
+    void suspend(); ///< Ctrl+Z in the terminal: stops the motors, then the program stands still
 
 private:
     [[nodiscard]] Result<void> prepareScript();

@@ -22,6 +22,11 @@ constexpr std::size_t kMostBytes = 32; // two packets of the longest form, and r
 constexpr std::size_t kStackBytes = 32'768;
 constexpr int kReplyMs = 60; // no reply of ours is longer on its way
 
+#ifdef Q_OS_UNIX
+constexpr std::array kFatal{SIGSEGV, SIGABRT, SIGBUS,    SIGFPE,  SIGILL,  SIGQUIT, SIGSYS,
+                            SIGTRAP, SIGXCPU, SIGVTALRM, SIGPROF, SIGALRM, SIGUSR1, SIGUSR2};
+#endif
+
 /// Filled while all is well and read by a signal handler: plain memory, and a size that is set last
 /// and taken back first.
 struct Line {
@@ -105,7 +110,9 @@ void installCrashHandlers()
     alternate.ss_sp = stack.data();
     alternate.ss_size = stack.size();
     ::sigaltstack(&alternate, nullptr);
-    for (const int number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGQUIT}) {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    for (const int number : kFatal) {
         struct sigaction action { };
         action.sa_handler = onCrash;
         action.sa_flags = static_cast<int>(SA_ONSTACK | SA_RESETHAND);

@@ -13,9 +13,11 @@ namespace trex::laststop {
 void prepare(const void* owner, int descriptor, const QByteArray& bytes);
 void withdraw(const void* owner);
 
-/// For SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL and SIGQUIT: sends what is prepared, twice (a
-/// controller that is answering hears nothing meanwhile), then lets the signal do what it always
-/// does. Nothing where there are no Unix signals. Once, early, from main().
+/// For every signal that would end the program and that nobody else takes (SIGSEGV and its like,
+/// SIGQUIT, SIGUSR1, alarms, limits): sends what is prepared, twice (a controller that is answering
+/// hears nothing meanwhile), then lets the signal do what it always does. SIGPIPE and SIGXFSZ are
+/// ignored: a write that fails says so itself, and is no reason to leave motors alone. Nothing
+/// where there are no Unix signals. Once, early, from main(), before what takes signals itself.
 void installCrashHandlers();
 
 /// Nothing of ours may follow the last stop.

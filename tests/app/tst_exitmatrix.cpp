@@ -23,9 +23,12 @@ namespace {
 
 constexpr int kLongest = 20'000; ///< for one run, on a machine that does other things, too
 constexpr int kSerialTimeout = 5; ///< raw: 500 ms
-/// The stated time from the cause to neutral, for causes that the host sees at once. Not asserted
-/// but ten times over: the machine that runs the tests has other things to do.
+/// The stated time from the cause to neutral, for causes that the host sees at once. The machine
+/// that runs the tests has other things to do: what takes longer is done again, and must keep the
+/// stated time in one of three runs; a fault of the program would fail in all of them.
 constexpr double kStatedMs = 200.0;
+constexpr int kMostRuns = 3;
+constexpr double kNever = 10.0; ///< times the stated time: not even under load
 
 /// How a way out is begun: steps of the script, a signal, or something done to the line.
 struct Way {
@@ -36,6 +39,7 @@ struct Way {
     double statedMs = kStatedMs;
     int serialTimeout = 0; ///< of the controller; raw
     bool endsAtOnce = false; ///< nothing is played after it
+    bool standsStill = false; ///< the program is there, and does nothing any more
 };
 
 // A lost line takes 500 ms of silence to be known, and stop is the first thing it hears when it is
@@ -68,6 +72,9 @@ const std::vector<Way>& ways()
         {.name = "SIGFPE", .signalNumber = SIGFPE},
         {.name = "SIGILL", .signalNumber = SIGILL},
         {.name = "SIGQUIT", .signalNumber = SIGQUIT},
+        {.name = "SIGUSR1", .signalNumber = SIGUSR1},
+        {.name = "SIGXCPU", .signalNumber = SIGXCPU},
+        {.name = "SIGTSTP", .signalNumber = SIGTSTP, .standsStill = true},
         {.name = "SIGKILL",
          .signalNumber = SIGKILL,
          .statedMs = 650.0,
@@ -83,7 +90,14 @@ struct State {
     const char* name;
     QByteArray steps{};
     bool moves = true;
+    bool armsItself = false; ///< no click on Arm before
 };
+
+/// All three motors, and new orders all the time for longer than any run.
+const QByteArray kProfile = R"({"format":"trexpanel-bench-profile","version":1,"name":"Long",
+    "limits":{"staleSeconds":5},"steps":[
+    {"do":"set","motor":"aux","speed":30},{"do":"set","motor":"both","speed":40},
+    {"do":"sine","motor":"both","middle":50,"amplitude":30,"period":1,"seconds":60}]})";
 
 const std::vector<State>& states()
 {
@@ -116,6 +130,13 @@ const std::vector<State>& states()
             {"set":{"object":"parameters.motor1-deadband-brake.editor","property":"raw","value":5}},
             {"set":{"object":"parameters.motor2-deadband-brake.editor","property":"raw","value":6}},
             {"click":"parameters.apply"})"},
+        {.name = "profile running",
+         .steps = R"({"file":{"object":"bench.open","path":"PROFILE"}},
+            {"waitFor":{"object":"bench.start","property":"enabled","equals":true},
+             "timeoutMs":15000},
+            {"click":"bench.start"},{"click":"bench.confirm"},
+            {"waitFor":{"object":"bench.progress","property":"value","min":8},"timeoutMs":15000})",
+         .armsItself = true},
     };
     return kStates;
 }
@@ -136,7 +157,7 @@ std::vector<Case> chosenCases()
         for (std::size_t state = 0; state < states().size(); ++state) {
             for (std::size_t form = 0; form < kForms.size(); ++form) {
                 // A diagonal through the product: moving states first of all.
-                const bool isSample = state == 1 + way % 4 && form == way % 3;
+                const bool isSample = state == 1 + way % 5 && form == way % 3;
                 if (isWhole || isSample || (way == 0 && form == 0)) {
                     all.push_back({way, state, form});
                 }
@@ -146,14 +167,18 @@ std::vector<Case> chosenCases()
     return all;
 }
 
-QByteArray script(const Case& c)
+QByteArray script(const Case& c, const QString& profile)
 {
     const Way& way = ways().at(c.way);
+    const State& state = states().at(c.state);
     QByteArray steps = R"({"waitFor":{"object":"connection.state","property":"state",
-        "equals":"connected"},"timeoutMs":15000},{"click":"motors.arm"},
-        {"waitFor":{"object":"motors.arm","property":"checked","equals":true}})";
-    if (!states().at(c.state).steps.isEmpty()) {
-        steps += ',' + states().at(c.state).steps;
+        "equals":"connected"},"timeoutMs":15000})";
+    if (!state.armsItself) {
+        steps += R"(,{"click":"motors.arm"},
+            {"waitFor":{"object":"motors.arm","property":"checked","equals":true}})";
+    }
+    if (!state.steps.isEmpty()) {
+        steps += ',' + QByteArray(state.steps).replace("PROFILE", profile.toUtf8());
     }
     steps += R"(,{"sleepMs":150,"note":"cause"})";
     if (!way.steps.isEmpty()) {
@@ -225,10 +250,17 @@ private slots:
     void cleanupTestCase();
 
 private:
+    void runOnce(const Case& c, double& tookMs);
     void carryOut(const Case& c, QProcess& program, test::SimWitness& witness, const QString& log,
                   Moments& moments);
-    void judge(const Case& c, const QString& log, const LineSettings& line, const Moments& moments);
-    std::map<QString, std::pair<double, int>> m_worst; ///< ms and runs, by way and state
+    void judge(const Case& c, const QString& log, const LineSettings& line, const Moments& moments,
+               double& tookMs);
+    struct Worst {
+        double ms = 0.0;
+        int runs = 0;
+        int late = 0; ///< later than stated, and done again
+    };
+    std::map<std::pair<std::size_t, std::size_t>, Worst> m_worst; ///< by way and state
 };
 
 void TestExitMatrix::wayOut_leavesAllMotorsNeutral_data()
@@ -250,44 +282,75 @@ void TestExitMatrix::wayOut_leavesAllMotorsNeutral()
     QFETCH(int, form);
     const Case c{static_cast<std::size_t>(way), static_cast<std::size_t>(state),
                  static_cast<std::size_t>(form)};
+    Worst& worst = m_worst[{c.way, c.state}];
+    for (int run = 1; run <= kMostRuns; ++run) {
+        double tookMs = 0.0;
+        runOnce(c, tookMs);
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        worst.ms = std::max(worst.ms, tookMs);
+        ++worst.runs;
+        if (tookMs < ways().at(c.way).statedMs) {
+            return;
+        }
+        ++worst.late;
+        qInfo("%.1f ms in run %d", tookMs, run);
+        QVERIFY2(run < kMostRuns && tookMs < kNever * ways().at(c.way).statedMs,
+                 qPrintable(u"%1 ms"_s.arg(tookMs)));
+    }
+}
+
+void TestExitMatrix::runOnce(const Case& c, double& tookMs)
+{
     QTemporaryDir folder;
     const QString log = folder.filePath(u"log.jsonl"_s);
     const QString port = folder.filePath(u"port"_s);
     const QString report = folder.filePath(u"report.json"_s);
+    const QString profile = folder.filePath(u"profile.json"_s);
+    const bool isCrc = c.form == 2;
     LineSettings line;
-    line.form = form == 1 ? PacketForm::Pololu : PacketForm::Compact;
+    line.form = c.form == 1 ? PacketForm::Pololu : PacketForm::Compact;
     sim::SimOptions simulated;
     line.errorDetection = simulated.errorDetection =
-        form == 2 ? ErrorDetection::Crc7 : ErrorDetection::None;
+        isCrc ? ErrorDetection::Crc7 : ErrorDetection::None;
     simulated.parameters[0x0E] = simulated.parameters[0x0F] = simulated.parameters[0x10] = 40;
     simulated.parameters[0x07] = ways().at(c.way).serialTimeout;
     test::SimWitness witness(simulated, port, log);
     QVERIFY(witness.isOk());
-    QFile file(folder.filePath(u"script.json"_s));
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(script(c)) > 0);
-    file.close();
+    const QByteArray steps = script(c, profile);
+    for (const auto& [path, text] :
+         {std::pair{folder.filePath(u"script.json"_s), steps}, std::pair{profile, kProfile}}) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    }
 
     QProcess program;
     program.start(u"" TREX_PANEL_PROGRAM ""_s,
-                  {u"--offscreen"_s, u"--port"_s, port, u"--script"_s, file.fileName(),
-                   u"--report"_s, report, u"--settings"_s, folder.filePath(u"settings.ini"_s),
-                   u"--error-detection"_s, form == 2 ? u"crc7"_s : u"none"_s, u"--protocol"_s,
-                   form == 1 ? u"pololu"_s : u"compact"_s});
+                  {u"--offscreen"_s, u"--port"_s, port, u"--script"_s,
+                   folder.filePath(u"script.json"_s), u"--report"_s, report, u"--settings"_s,
+                   folder.filePath(u"settings.ini"_s), u"--error-detection"_s,
+                   isCrc ? u"crc7"_s : u"none"_s, u"--protocol"_s,
+                   c.form == 1 ? u"pololu"_s : u"compact"_s});
     QVERIFY(program.waitForStarted());
     Moments moments;
     carryOut(c, program, witness, log, moments);
     if (QTest::currentTestFailed()) {
         program.kill();
         program.waitForFinished();
+        QFile told(report);
+        if (told.open(QIODevice::ReadOnly)) {
+            qInfo("%s", told.readAll().right(600).constData());
+        }
         return;
     }
     if (moments.causeMs == 0.0) {
-        const auto told = momentsOf(report, script(c), ways().at(c.way));
+        const auto told = momentsOf(report, steps, ways().at(c.way));
         QVERIFY2(told.has_value(), program.readAllStandardError().constData());
         moments = *told;
     }
     witness.end();
-    judge(c, log, line, moments);
+    judge(c, log, line, moments, tookMs);
 }
 
 /// Lets it run until it is over.
@@ -322,7 +385,7 @@ void TestExitMatrix::carryOut(const Case& c, QProcess& program, test::SimWitness
             break;
         }
         }
-        if (way.line != Way::Line::Fine) {
+        if (way.line != Way::Line::Fine || way.standsStill) {
             QTest::qWait(2500); // and nothing moves when the line is back
             ::kill(static_cast<pid_t>(program.processId()), SIGKILL);
         }
@@ -330,6 +393,9 @@ void TestExitMatrix::carryOut(const Case& c, QProcess& program, test::SimWitness
     QVERIFY2(program.waitForFinished(kLongest), "the program does not end");
     if (way.signalNumber == SIGKILL) {
         QTest::qWait(900); // the serial timeout's turn
+    }
+    if (way.standsStill) {
+        return;
     }
     if (way.steps.isEmpty() && way.line == Way::Line::Fine) {
         const bool isGraceful =
@@ -342,25 +408,19 @@ void TestExitMatrix::carryOut(const Case& c, QProcess& program, test::SimWitness
 }
 
 void TestExitMatrix::judge(const Case& c, const QString& log, const LineSettings& line,
-                           const Moments& moments)
+                           const Moments& moments, double& tookMs)
 {
     const Way& way = ways().at(c.way);
     const State& state = states().at(c.state);
     const test::SimRecord record = test::readSimRecord(log);
     QCOMPARE(record.speeds, (std::array{0, 0, 0}));
     QCOMPARE(record.moved, (std::array{state.moves, state.moves, state.moves}));
-    double tookMs = 0.0;
     if (state.moves) {
         QVERIFY(record.restedMs.has_value());
         tookMs = *record.restedMs - moments.causeMs;
         QVERIFY2(moments.endMs == 0.0 || *record.restedMs < moments.endMs - kClocksMs,
                  "it was the end of the script that stopped them");
     }
-    auto& worst =
-        m_worst[u"%1\t%2"_s.arg(QLatin1StringView(way.name), QLatin1StringView(state.name))];
-    worst.first = std::max(worst.first, tookMs);
-    ++worst.second;
-    QVERIFY2(tookMs < 10 * way.statedMs, qPrintable(u"%1 ms"_s.arg(tookMs)));
     if (way.signalNumber == SIGKILL) {
         return; // the host could send nothing: it was the controller
     }
@@ -417,16 +477,12 @@ void TestExitMatrix::killedWithoutTimeout_hadBeenWarnedOf()
 
 void TestExitMatrix::cleanupTestCase()
 {
-    std::printf("\n%-24s %-14s %6s %10s %10s\n", "way out", "state", "runs", "worst", "stated");
-    for (const Way& way : ways()) {
-        for (const State& state : states()) {
-            const auto found = m_worst.find(
-                u"%1\t%2"_s.arg(QLatin1StringView(way.name), QLatin1StringView(state.name)));
-            if (found != m_worst.end()) {
-                std::printf("%-24s %-14s %6d %7.1f ms %7.0f ms\n", way.name, state.name,
-                            found->second.second, found->second.first, way.statedMs);
-            }
-        }
+    std::printf("\n%-24s %-16s %6s %6s %10s %10s\n", "way out", "state", "runs", "late", "worst",
+                "stated");
+    for (const auto& [place, worst] : m_worst) {
+        const Way& way = ways().at(place.first);
+        std::printf("%-24s %-16s %6d %6d %7.1f ms %7.0f ms\n", way.name,
+                    states().at(place.second).name, worst.runs, worst.late, worst.ms, way.statedMs);
     }
     std::fflush(stdout);
 }
