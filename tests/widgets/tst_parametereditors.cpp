@@ -4,8 +4,10 @@
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTranslator>
 
 #include <algorithm>
 
@@ -26,6 +28,9 @@ private slots:
     void trexAmperes_areMarkedAsAGuess();
     void channels_areNamed();
     void rows_sayHowSureTheyAre();
+    void columns_fitIntoTheWindow_data();
+    void columns_fitIntoTheWindow();
+    void columns_takeTheLeastFirst();
 };
 
 void TestParameterEditors::model_passesItsTester()
@@ -227,6 +232,57 @@ void TestParameterEditors::rows_sayHowSureTheyAre()
             QCOMPARE(sure.startsWith(u'≈'), isGuess(row.meaningGrade) || isGuess(row.defaultGrade));
         }
     }
+}
+
+void TestParameterEditors::columns_fitIntoTheWindow_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<int>("width"); // of the panel in a window of 1440 pixels
+    QTest::addRow("English") << u"en"_s << 776;
+    QTest::addRow("German") << u"de"_s << 758;
+}
+
+void TestParameterEditors::columns_fitIntoTheWindow()
+{
+    QFETCH(const QString, language);
+    QFETCH(const int, width);
+    QTranslator translator;
+    QVERIFY(language == u"en"_s || translator.load(u":/i18n/trex_"_s + language));
+    QCoreApplication::installTranslator(&translator);
+    theme::apply(theme::Choice::Light);
+    Bench bench;
+    bench.panel.resize(width, 500);
+    auto* const table = bench.part<ParameterTable>(u"table"_s);
+    for (const int column :
+         {ParameterModel::TitleColumn, ParameterModel::ValueColumn, ParameterModel::DeviceColumn,
+          ParameterModel::DefaultColumn, ParameterModel::SourceColumn}) {
+        QVERIFY(!table->isColumnHidden(column));
+        QVERIFY(table->columnWidth(column) > 60);
+    }
+    QVERIFY(table->header()->length() <= table->viewport()->width());
+    for (const auto& row : kParameters) {
+        if (!row.isTrigger) {
+            QVERIFY2(bench.editor(keyText(row))->widestHint()
+                         <= table->columnWidth(ParameterModel::ValueColumn),
+                     row.key.data());
+        }
+    }
+    // What may be cut stands whole in the tool tip.
+    const auto* const model = qobject_cast<ParameterModel*>(table->model());
+    const QModelIndex cell = model->indexOf(0x7E, ParameterModel::DefaultColumn);
+    QVERIFY(cell.data(Qt::ToolTipRole).toString().contains(cell.data().toString()));
+    bench.panel.resize(1800, 500); // and where there is room, all is shown
+    QVERIFY(!table->isColumnHidden(ParameterModel::StateColumn));
+    QVERIFY(!table->isColumnHidden(ParameterModel::RangeColumn));
+}
+
+void TestParameterEditors::columns_takeTheLeastFirst()
+{
+    using Widths = std::vector<int>;
+    const std::vector<ColumnNeed> needs{{100, 200}, {50, 50}, {80, 180}};
+    QCOMPARE(fittedWidths(needs, 1000), (Widths{200, 50, 180}));
+    QCOMPARE(fittedWidths(needs, 330), (Widths{150, 50, 130}));
+    QCOMPARE(fittedWidths(needs, 100), (Widths{100, 50, 80}));
 }
 
 QTEST_MAIN(TestParameterEditors)

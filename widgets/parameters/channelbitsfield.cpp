@@ -13,28 +13,33 @@ namespace {
 struct ChannelRole {
     const char* name;
     const char* shortName;
+    const char* bareName; ///< without its number, which the order of the boxes tells
     const char* sentence;
 };
 constexpr std::array<ChannelRole, kChannelCount> kRoles{
     ChannelRole{QT_TRANSLATE_NOOP("ParameterField", "1 motor 1 / turn"),
                 QT_TRANSLATE_NOOP("ParameterField", "1 M1"),
+                QT_TRANSLATE_NOOP("ParameterField", "M1"),
                 QT_TRANSLATE_NOOP("ParameterField",
                                   "Channel 1: motor 1, or turning with the mix jumper on")},
     ChannelRole{QT_TRANSLATE_NOOP("ParameterField", "2 motor 2 / drive"),
                 QT_TRANSLATE_NOOP("ParameterField", "2 M2"),
+                QT_TRANSLATE_NOOP("ParameterField", "M2"),
                 QT_TRANSLATE_NOOP("ParameterField",
                                   "Channel 2: motor 2, or forward and back with the mix jumper "
                                   "on")},
     ChannelRole{QT_TRANSLATE_NOOP("ParameterField", "3 auxiliary"),
                 QT_TRANSLATE_NOOP("ParameterField", "3 aux"),
+                QT_TRANSLATE_NOOP("ParameterField", "aux"),
                 QT_TRANSLATE_NOOP("ParameterField",
                                   "Channel 3: speed of the auxiliary motor, one direction")},
     ChannelRole{
         QT_TRANSLATE_NOOP("ParameterField", "4 flip"),
-        QT_TRANSLATE_NOOP("ParameterField", "4 flip"),
+        QT_TRANSLATE_NOOP("ParameterField", "4 flip"), QT_TRANSLATE_NOOP("ParameterField", "flip"),
         QT_TRANSLATE_NOOP("ParameterField", "Channel 4: flip switch, swaps motors and directions")},
     ChannelRole{QT_TRANSLATE_NOOP("ParameterField", "5 serial override"),
                 QT_TRANSLATE_NOOP("ParameterField", "5 serial"),
+                QT_TRANSLATE_NOOP("ParameterField", "serial"),
                 QT_TRANSLATE_NOOP("ParameterField",
                                   "Channel 5: serial override, hands the motors to the serial "
                                   "line")}};
@@ -58,18 +63,20 @@ ChannelBitsField::ChannelBitsField(const ParameterRow& row, QWidget* parent)
     }
 }
 
-void ChannelBitsField::setCompact(bool isCompact)
+void ChannelBitsField::setWords(Words howMany)
 {
-    m_isCompact = isCompact;
+    m_hasRawBeside = howMany == Words::Whole;
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
-        m_boxes[i]->setText(words(isCompact ? kRoles[i].shortName : kRoles[i].name));
+        m_boxes[i]->setText(words(howMany == Words::Whole       ? kRoles[i].name
+                                      : howMany == Words::Short ? kRoles[i].shortName
+                                                                : kRoles[i].bareName));
     }
     refreshStored();
 }
 
 QString ChannelBitsField::storedText(int raw) const
 {
-    return m_isCompact ? QString() : hexText(raw);
+    return m_hasRawBeside ? hexText(raw) : QString();
 }
 
 void ChannelBitsField::display(std::optional<int> raw)

@@ -14,17 +14,17 @@ class ChannelBitsField : public ParameterField {
 
 public:
     ChannelBitsField(const ParameterRow& row, QWidget* parent);
-    void setCompact(bool isCompact) override;
 
 protected:
     void display(std::optional<int> raw) override;
+    void setWords(Words words) override;
     [[nodiscard]] QString storedText(int raw) const override;
 
 private:
     void onClicked();
 
     std::vector<QCheckBox*> m_boxes;
-    bool m_isCompact = false;
+    bool m_hasRawBeside = true;
 };
 
 } // namespace trex

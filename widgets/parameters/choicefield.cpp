@@ -7,10 +7,20 @@
 using namespace Qt::Literals::StringLiterals;
 
 namespace trex {
+namespace {
+
+/// QComboBox keeps the least width that its first texts needed, and does not shrink with them.
+class FittingBox : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+};
+
+} // namespace
 
 QComboBox* ChoiceField::newBox(QWidget* parent)
 {
-    auto* const box = new QComboBox(parent);
+    auto* const box = new FittingBox(parent);
     box->setPlaceholderText(u"–"_s);
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     constexpr int kWidest = 210;

@@ -118,6 +118,23 @@ void ParameterField::refreshStored()
     m_stored->setText(m_raw < 0 ? QString() : storedText(m_raw));
 }
 
+void ParameterField::useWords(Words words)
+{
+    setWords(words);
+    layout()->invalidate(); // a control that was never shown does not ask for it
+    layout()->update();
+}
+
+int ParameterField::widestHint()
+{
+    const QString stored = m_stored->text();
+    m_stored->setText(storedText(m_row.maximum));
+    layout()->invalidate();
+    const int width = layout()->sizeHint().width();
+    m_stored->setText(stored);
+    return width;
+}
+
 void ParameterField::showRaw(std::optional<int> raw)
 {
     const bool isOther = m_raw != raw.value_or(-1);

@@ -27,8 +27,10 @@ public:
     void showRaw(std::optional<int> raw); ///< without edited(); none: an en dash
     /// What the value's text depends on beside it.
     virtual void setContext(const ValueContext& /*context*/) { }
-    /// Shorter words where there is no room for the whole.
-    virtual void setCompact(bool /*isCompact*/) { }
+    /// How much the words beside the controls may say, where there is less and less room.
+    enum class Words : std::uint8_t { Whole, Short, Shortest };
+    void useWords(Words words);
+    [[nodiscard]] int widestHint(); ///< pixels, with the longest number behind the editor
 
 signals:
     void edited(int raw);
@@ -40,6 +42,7 @@ protected:
     ParameterField(const ParameterRow& row, QWidget* parent);
     [[nodiscard]] const ParameterRow& row() const { return m_row; }
     virtual void display(std::optional<int> raw) = 0;
+    virtual void setWords(Words /*words*/) { }
     /// The number as stored, for the label behind the editor; empty where the editor says it.
     [[nodiscard]] virtual QString storedText(int raw) const;
     void refreshStored(); ///< storedText() is another one

@@ -27,7 +27,8 @@ QString parameterHelp(const ParameterModel& model, const ParameterRow& row)
     const QString number = hexText(row.number);
     QStringList lines{u"<b>%1</b> &nbsp;%2"_s.arg(
         QCoreApplication::translate("Parameters", row.title).toHtmlEscaped(),
-        coloured(u"%1 · %2"_s.arg(keyText(row), number), ColourRole::DimText))};
+        coloured(u"%1 · %2 · %3"_s.arg(keyText(row), number, model.stateText(row.number)),
+                 ColourRole::DimText))};
     const bool isRefused = model.state(row.number) == ParameterModel::State::Refused;
     for (const auto& remark : model.remarks(row.number)) {
         lines << coloured(u"▲ "_s + remark, isRefused ? ColourRole::Fault : ColourRole::Warning);

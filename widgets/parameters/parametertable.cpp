@@ -4,11 +4,11 @@
 #include "protocol/errortext.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
-#include "widgets/parameters/parameterfield.h"
 
 #include <QApplication>
 #include <QHeaderView>
 #include <QResizeEvent>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -39,6 +39,21 @@ bool isFound(const ParameterRow& row, const QString& word)
         || searchText(row).contains(word, Qt::CaseInsensitive);
 }
 
+/// A name that is cut keeps its end, too: there stands which motor.
+class CellDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.column() == ParameterModel::TitleColumn) {
+            option->textElideMode = Qt::ElideMiddle;
+        }
+    }
+};
+
 } // namespace
 
 ParameterTable::ParameterTable(ParameterModel& model, QWidget* parent)
@@ -61,7 +76,10 @@ ParameterTable::ParameterTable(ParameterModel& model, QWidget* parent)
     }
     addFields();
     usePalette();
-    setWidths();
+    header()->setStretchLastSection(true);
+    header()->setSectionsMovable(false);
+    setItemDelegate(new CellDelegate(this));
+    measure();
     connect(&model, &ParameterModel::shownChanged, this, &ParameterTable::onShownChanged);
     connect(qApp, &QApplication::focusChanged, this,
             [this](QWidget* /*old*/, QWidget* now) { onFocusChanged(now); });
@@ -108,53 +126,109 @@ void ParameterTable::addFields()
     }
 }
 
-void ParameterTable::setWidths()
+void ParameterTable::measure()
 {
-    header()->setStretchLastSection(true);
-    header()->setSectionsMovable(false);
-    const auto wide = [this](const QString& sample) {
-        const int margins = m_isCompact ? 8 : 20;
-        return fontMetrics().horizontalAdvance(sample) + margins;
-    };
-    int field = 0;
-    for (const auto& [number, each] : m_fields) {
-        field = std::max(field, each->sizeHint().width());
+    using Words = ParameterField::Words;
+    for (const auto words : {Words::Whole, Words::Short, Words::Shortest}) {
+        int widest = 0;
+        for (const auto& [number, field] : m_fields) {
+            field->useWords(words);
+            widest = std::max(widest, field->widestHint());
+        }
+        m_fieldWidths[words] = widest;
     }
-    const int sign = 2 * fontMetrics().averageCharWidth() + 8;
-    setColumnWidth(ParameterModel::TitleColumn, wide(tr("Auxiliary PWM maximum ≈")) + sign);
-    setColumnWidth(ParameterModel::ValueColumn, field + (m_isCompact ? 0 : wide(u"(00)"_s)));
-    setColumnWidth(ParameterModel::StateColumn, wide(tr("power cycle")));
-    setColumnWidth(ParameterModel::DeviceColumn,
-                   wide(m_isCompact ? tr("no channel (0)") : tr("channels 1, 2, 3 (00)")));
-    // The last one takes what is left; where that is little, its tool tip has the whole.
-    setColumnWidth(ParameterModel::DefaultColumn,
-                   wide(m_isCompact ? tr("≈ off (0)") : tr("≈ no channel (0)")));
-    setColumnWidth(ParameterModel::RangeColumn, wide(tr("channels 1 to 5")));
-    setColumnWidth(ParameterModel::SourceColumn, wide(tr("≈ inferred, quite sure")));
+    m_fieldWords = Words::Shortest;
+
+    constexpr int kMargins = 10;
+    constexpr int kHeaderMargins = 4;
+    const auto wide = [this](const QString& sample) {
+        return fontMetrics().horizontalAdvance(sample) + kMargins;
+    };
+    const auto header = [&](int column) {
+        return kHeaderMargins
+            + wide(m_model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    };
+    const auto widest = [&](int column) {
+        int width = header(column);
+        for (const auto& row : kParameters) {
+            width = std::max(width, wide(m_model.indexOf(row.number, column).data().toString()));
+        }
+        return width;
+    };
+    const int letter = fontMetrics().averageCharWidth();
+    const int sign = 2 * letter + 8;
+    const int value = wide(tr("channels 1, 2, 3 (00)"));
+    const int title = widest(ParameterModel::TitleColumn) + sign;
+    const int sure = widest(ParameterModel::SourceColumn);
+    m_needs = {{ParameterModel::TitleColumn, {std::min(title, 22 * letter + sign), title}},
+               {ParameterModel::StateColumn, {wide(tr("power cycle")), wide(tr("power cycle"))}},
+               {ParameterModel::DeviceColumn, {header(ParameterModel::DeviceColumn), value}},
+               {ParameterModel::DefaultColumn, {std::min(value, 12 * letter), value}},
+               {ParameterModel::RangeColumn,
+                {wide(tr("channels 1 to 5")), widest(ParameterModel::RangeColumn)}},
+               {ParameterModel::SourceColumn, {sure, sure}}};
 }
 
-/// Where there is no room for all, words get shorter, and range and source go: the help and the
-/// tool tips have them, too, and a ≈ stays at what is not sure.
+/// Where there is no room for all, words get shorter, and first the range goes, then the state's
+/// word: its sign stands before the name, and the help and the tool tips have both. Then what is
+/// long is cut; its tool tip has the whole.
+void ParameterTable::fitColumns(int room)
+{
+    using Words = ParameterField::Words;
+    std::vector<int> shown{ParameterModel::TitleColumn, ParameterModel::DeviceColumn,
+                           ParameterModel::DefaultColumn, ParameterModel::SourceColumn};
+    const auto needOf = [this](int column) { return m_needs.at(column); };
+    const auto comfortable = [&](int column) {
+        return (needOf(column).least + needOf(column).wanted) / 2;
+    };
+    int used = 0;
+    for (const int column : shown) {
+        used += comfortable(column);
+    }
+    auto words = Words::Whole;
+    for (const auto shorter : {Words::Short, Words::Shortest}) {
+        if (used + m_fieldWidths.at(words) > room) {
+            words = shorter;
+        }
+    }
+    used += m_fieldWidths.at(words);
+    for (const int column : {ParameterModel::StateColumn, ParameterModel::RangeColumn}) {
+        const bool hasRoom = used + needOf(column).least <= room
+            && (column == ParameterModel::StateColumn || shown.size() > 4);
+        setColumnHidden(column, !hasRoom);
+        if (hasRoom) {
+            used += needOf(column).least;
+            shown.push_back(column);
+        }
+    }
+    if (m_fieldWords != words) {
+        m_fieldWords = words;
+        for (const auto& [number, field] : m_fields) {
+            field->useWords(words);
+        }
+    }
+    std::vector<ColumnNeed> needs;
+    std::ranges::transform(shown, std::back_inserter(needs), needOf);
+    const auto widths = fittedWidths(needs, room - m_fieldWidths.at(words));
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        setColumnWidth(shown[i], widths[i]);
+    }
+    setColumnWidth(ParameterModel::ValueColumn, m_fieldWidths.at(words));
+}
+
 void ParameterTable::resizeEvent(QResizeEvent* event)
 {
-    const int room = event->size().width();
-    constexpr int kRoomForNames = 1380;
-    if (const bool isCompact = room < kRoomForNames; isCompact != m_isCompact) {
-        m_isCompact = isCompact;
-        for (const auto& [number, field] : m_fields) {
-            field->setCompact(isCompact);
-        }
-        setWidths();
-    }
-    int used = 0;
-    for (int column = 0; column < ParameterModel::RangeColumn; ++column) {
-        used += columnWidth(column);
-    }
-    constexpr int kRange = 110;
-    constexpr int kSource = 150;
-    setColumnHidden(ParameterModel::SourceColumn, room < used + kSource);
-    setColumnHidden(ParameterModel::RangeColumn, room < used + kSource + kRange);
+    fitColumns(event->size().width());
     QTreeView::resizeEvent(event);
+}
+
+void ParameterTable::changeEvent(QEvent* event)
+{
+    QTreeView::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+        measure();
+        fitColumns(viewport()->width());
+    }
 }
 
 void ParameterTable::search(const QString& text)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/parameters/columnfit.h"
+#include "widgets/parameters/parameterfield.h"
 #include "widgets/parameters/parametermodel.h"
 
 #include <QTreeView>
 
 namespace trex {
-
-class ParameterField;
 
 /// The parameters by group, an editor always open in each row. Rows are hidden by a search, never
 /// taken away, so that every editor can be found at any time. GUI thread.
@@ -39,13 +39,15 @@ signals:
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     void addFields();
     void hideAndShow();
     void chooseShownRow();
     [[nodiscard]] bool isWanted(const ParameterRow& row) const;
-    void setWidths();
+    void measure(); ///< what the columns need, with the font in force
+    void fitColumns(int room);
     void onShownChanged(int number);
     void onFocusChanged(QWidget* now);
 
@@ -54,7 +56,9 @@ private:
     QString m_reason;
     QStringList m_words; ///< searched
     ParameterModel::Filter m_filter = ParameterModel::Filter::All;
-    bool m_isCompact = false;
+    std::map<ParameterField::Words, int> m_fieldWidths; ///< of the widest editor
+    std::map<int, ColumnNeed> m_needs; ///< of each column but the editors'
+    std::optional<ParameterField::Words> m_fieldWords; ///< as the editors have them
 };
 
 } // namespace trex

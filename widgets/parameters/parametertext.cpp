@@ -43,7 +43,7 @@ QString ParameterModel::text(const ParameterRow& row, int column) const
     case RangeColumn:
         return rangeText(row, m_controllerModel);
     case SourceColumn:
-        return gradeWithSign(weakestGrade(row));
+        return gradeInShort(weakestGrade(row));
     case StateColumn:
         return stateText(row.number);
     default: // the editor stands there
@@ -55,6 +55,9 @@ QString ParameterModel::toolTip(const ParameterRow& row) const
 {
     QStringList lines{u"<b>%1</b> · %2 · %3"_s.arg(
         QCoreApplication::translate("Parameters", row.title), keyText(row), hexText(row.number))};
+    // What the cells say, where they are cut.
+    lines << tr("%1 · in controller: %2 · default: %3")
+                 .arg(stateText(row.number), text(row, DeviceColumn), text(row, DefaultColumn));
     lines += remarks(row.number);
     lines << QCoreApplication::translate("Parameters", row.help);
     lines << tr("Meaning: %1. Default: %2.")

@@ -22,6 +22,11 @@ QString frequencyText(int prescaler, int pwmMaximum)
     return prescaler >= 2 ? u"≈ "_s + text : text;
 }
 
+QString signOf(Grade grade)
+{
+    return isGuess(grade) ? u"≈ "_s : grade == Grade::Observed ? u"○ "_s : u"✓ "_s;
+}
+
 QString quantityText(const ParameterRow& row, int raw, const DisplayUnit& unit)
 {
     if (raw == 0 && row.zeroText != nullptr) {
@@ -151,8 +156,27 @@ Grade weakestGrade(const ParameterRow& row)
 
 QString gradeWithSign(Grade grade)
 {
-    const QString sign = isGuess(grade) ? u"≈ "_s : grade == Grade::Observed ? u"○ "_s : u"✓ "_s;
-    return sign + gradeText(grade);
+    return signOf(grade) + gradeText(grade);
+}
+
+QString gradeInShort(Grade grade)
+{
+    const auto words = [grade] {
+        switch (grade) {
+        case Grade::Documented:
+            return ParameterText::tr("documented");
+        case Grade::Observed:
+            return ParameterText::tr("observed");
+        case Grade::InferredStrong:
+            return ParameterText::tr("quite sure");
+        case Grade::Inferred:
+            return ParameterText::tr("unsure");
+        case Grade::InferredWeak:
+            return ParameterText::tr("a guess");
+        }
+        return QString();
+    };
+    return signOf(grade) + words();
 }
 
 QString hexText(int number)

@@ -47,6 +47,8 @@ struct ValueInContext {
 [[nodiscard]] Grade weakestGrade(const ParameterRow& row);
 /// "✓ documented", "○ observed on controllers", "≈ inferred, unsure": a sign of its own for each.
 [[nodiscard]] QString gradeWithSign(Grade grade);
+/// "✓ documented", "○ observed", "≈ unsure": the same in a column's width.
+[[nodiscard]] QString gradeInShort(Grade grade);
 
 /// "0x07": a parameter's number as the documents write it.
 [[nodiscard]] QString hexText(int number);

@@ -38,6 +38,14 @@ UartField::UartField(const ParameterRow& row, QWidget* parent)
     }
 }
 
+void UartField::setWords(Words words)
+{
+    m_detection->setItemText(m_detection->findData(static_cast<int>(ErrorDetection::None)),
+                             words == Words::Shortest
+                                 ? QCoreApplication::translate("ParameterField", "none")
+                                 : QCoreApplication::translate("ParameterField", "no check"));
+}
+
 void UartField::display(std::optional<int> raw)
 {
     const auto settings = raw ? UartSettings::fromRaw(*raw) : std::nullopt;

@@ -18,6 +18,7 @@ public:
 
 protected:
     void display(std::optional<int> raw) override;
+    void setWords(Words words) override;
     [[nodiscard]] QString storedText(int raw) const override;
 
 private:
