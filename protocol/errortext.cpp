@@ -102,16 +102,36 @@ QString translated(const char* text)
     return QCoreApplication::translate("Errors", text);
 }
 
+/// Contexts hold what stood in files, came over the line, or names a port: no sign in them may
+/// break the line, move the cursor or turn the direction of what follows.
+QString oneLine(QString context)
+{
+    for (QChar& letter : context) {
+        const bool isBlank = letter == u'\n' || letter == u'\t' || letter == u'\r'
+            || letter.category() == QChar::Separator_Line
+            || letter.category() == QChar::Separator_Paragraph;
+        const bool turns = (letter >= u'\u202A' && letter <= u'\u202E')
+            || (letter >= u'\u2066' && letter <= u'\u2069');
+        if (isBlank) {
+            letter = u' ';
+        } else if (turns || letter.category() == QChar::Other_Control) {
+            letter = QChar::ReplacementCharacter;
+        }
+    }
+    return context;
+}
+
 } // namespace
 
 QString errorText(const Error& error)
 {
+    const QString context = oneLine(error.context);
     const auto& row = kErrors[static_cast<std::size_t>(error.code)];
     QString text = translated(row.what);
     if (row.subject != nullptr) {
-        text = text.arg(error.context.isEmpty() ? translated(row.subject) : error.context);
-    } else if (!error.context.isEmpty()) {
-        text += QStringLiteral(" (%1)").arg(error.context);
+        text = text.arg(context.isEmpty() ? translated(row.subject) : context);
+    } else if (!context.isEmpty()) {
+        text += QStringLiteral(" (%1)").arg(context);
     }
     text += QLatin1Char('.');
     return row.advice == nullptr ? text : text + QLatin1Char(' ') + translated(row.advice);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr qint64 kLargestScript = qint64{4} * 1024 * 1024;
 constexpr int kDeepestRepeat = 8;
+constexpr qsizetype kLongestReason = 200;
 constexpr int kLongestTimeoutMs = 24 * 3600 * 1000;
 
 /// "line 3, column 7" of a byte offset.
@@ -56,11 +57,13 @@ public:
         return steps;
     }
 
+    /// What is wrong may hold names out of the file, which may be of any length.
     [[nodiscard]] tl::unexpected<Error> wrong(const QString& place, const QString& what) const
     {
+        const QString told = what.size() > kLongestReason ? what.left(kLongestReason) + u'…' : what;
         return fail(ErrorCode::FileMalformed,
-                    place.isEmpty() ? u"%1: %2"_s.arg(m_file, what)
-                                    : u"%1, %2: %3"_s.arg(m_file, place, what));
+                    place.isEmpty() ? u"%1: %2"_s.arg(m_file, told)
+                                    : u"%1, %2: %3"_s.arg(m_file, place, told));
     }
 
 private:

@@ -31,6 +31,17 @@ std::optional<Calibration> calibrationIn(const Configuration& configuration, Inp
     return set->second.at(channel);
 }
 
+/// Those that are so go from one list to the end of the other; both keep their order. (The one of
+/// std::ranges is not used: clang 14 cannot compile libstdc++ 12's.)
+template <class F>
+void moveIf(std::vector<SettingWrite>& from, std::vector<SettingWrite>& to, F isSo)
+{
+    const auto found = std::stable_partition(
+        from.begin(), from.end(), [&](const SettingWrite& write) { return !isSo(write); });
+    to.insert(to.end(), found, from.end());
+    from.erase(found, from.end());
+}
+
 /// True when the setting of `write` was found to hold its new (or its old) value.
 bool holdsNew(const SettingWrite& write, const Configuration& found)
 {
@@ -141,10 +152,8 @@ void ConfigTransfer::settleDoubts(const Configuration& found)
             m_outcome.failedMayHold = false;
         }
     }
-    const auto back = std::ranges::stable_partition(
-        m_outcome.notRestored, [&](const SettingWrite& write) { return !holdsOld(write, found); });
-    m_outcome.restored.insert(m_outcome.restored.end(), back.begin(), back.end());
-    m_outcome.notRestored.erase(back.begin(), back.end());
+    moveIf(m_outcome.notRestored, m_outcome.restored,
+           [&](const SettingWrite& write) { return holdsOld(write, found); });
 }
 
 /// Settings that hold neither what they held before nor what was written to them.
@@ -252,11 +261,8 @@ void ConfigTransfer::examine()
     m_check->read(m_before, [this](const Result<Configuration>& found) {
         if (found) {
             settleDoubts(*found);
-            const auto news = std::ranges::stable_partition(
-                m_outcome.notRestored,
-                [&](const SettingWrite& write) { return !holdsNew(write, *found); });
-            m_outcome.written.insert(m_outcome.written.end(), news.begin(), news.end());
-            m_outcome.notRestored.erase(news.begin(), news.end());
+            moveIf(m_outcome.notRestored, m_outcome.written,
+                   [&](const SettingWrite& write) { return holdsNew(write, *found); });
         }
         finish();
     });

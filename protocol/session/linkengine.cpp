@@ -186,6 +186,10 @@ LinkEngine::Action LinkEngine::decide(Instant now)
         // A stop does not wait for the line to fall quiet: its bytes follow those on their way.
         const Queued queued = std::move(m_stops.front());
         m_stops.pop_front();
+        if (m_state == LinkState::Disconnected && m_stops.empty()) { // given up meanwhile
+            m_open = false;
+            m_guard.clear(m_settings, m_canSetLine);
+        }
         return send(queued, now);
     }
     if (m_guard.isBusy()) {

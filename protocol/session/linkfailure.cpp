@@ -111,7 +111,7 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
             if (!m_reconnect) {
                 m_guard.clear(m_settings, m_canSetLine);
             }
-            m_open = m_open && m_reconnect;
+            m_open = m_open && (m_reconnect || !m_stops.empty()); // what is to stop goes out yet
             m_guard.received.clear();
         } else if (m_state == LinkState::Lost) {
             setState(LinkState::Retrying, std::nullopt, now);

@@ -188,10 +188,15 @@ void LinkEngine::onProbeAnswered(Instant at)
     m_guard.isAnswered = true;
     m_guard.isUnclear = false;
     m_guard.nextIdentify = at;
-    if (flight.queued.transaction.command == query("get-status")) { // cleared there by reading
-        ReplyParser parser(flight.queued.transaction.command, m_settings);
+    const Command& asked = flight.queued.transaction.command;
+    if (asked == query("get-status")) { // cleared there by reading
+        ReplyParser parser(asked, m_settings);
         parser.feed(QByteArrayView(flight.received).last(parser.expectedBytes()));
-        m_batch.samples.push_back(decodePoll(PollId::Status, parser.payload(), at));
+        // Its length alone may have been enough of an answer; it is not enough of a value.
+        if (parser.verdict() == ReplyParser::Verdict::Complete
+            && isPlausible(asked, parser.payload())) {
+            m_batch.samples.push_back(decodePoll(PollId::Status, parser.payload(), at));
+        }
     }
 }
 

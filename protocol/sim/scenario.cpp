@@ -17,6 +17,8 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
+constexpr qsizetype kLongestProblem = 200;
+
 /// Takes a JSON object apart key by key. The first thing that is wrong is kept, with its path; a
 /// key that nobody asked for is wrong too.
 class ObjectReader {
@@ -241,7 +243,7 @@ Result<Scenario> parseScenario(const QByteArray& json, const QString& name)
     if (error.error != QJsonParseError::NoError) {
         const auto line = json.left(error.offset).count('\n') + 1;
         return fail(ErrorCode::FileMalformed,
-                    u"%1, line %2: %3"_s.arg(name).arg(line).arg(error.errorString()));
+                    u"%1, line %2: %3"_s.arg(name, QString::number(line), error.errorString()));
     }
     QString problem;
     Scenario scenario;
@@ -263,7 +265,10 @@ Result<Scenario> parseScenario(const QByteArray& json, const QString& name)
     }
     root.noOtherKeys();
     if (!problem.isEmpty()) {
-        return fail(ErrorCode::FileMalformed, u"%1: %2"_s.arg(name, problem));
+        // It may hold keys out of the file, which may be of any length.
+        const QString told =
+            problem.size() > kLongestProblem ? problem.left(kLongestProblem) + u'…' : problem;
+        return fail(ErrorCode::FileMalformed, u"%1: %2"_s.arg(name, told));
     }
     std::stable_sort(scenario.events.begin(), scenario.events.end(),
                      [](const auto& a, const auto& b) { return a.at < b.at; });

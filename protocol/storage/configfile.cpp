@@ -37,6 +37,8 @@ public:
     {
         m_members.push_back({key, u"%1: %2"_s.arg(jsonText(key), json)});
     }
+    /// Whether members that are none of ours belong here.
+    [[nodiscard]] bool hasOthers() const { return !unknownHere().empty(); }
     [[nodiscard]] QString onOneLine() const
     {
         const auto members = texts();
@@ -142,13 +144,18 @@ QString calibrationJson(const Configuration& configuration, const Calibration& c
 QString calibrationsJson(const Configuration& configuration)
 {
     Members sets(configuration, u"calibration"_s);
-    for (const auto& [input, channels] : configuration.calibrations) {
+    for (const InputKind input : {InputKind::Rc, InputKind::Analog}) {
         const QString path = u"calibration."_s + keyOf(input);
         Members members(configuration, path);
-        for (const auto& [channel, calibration] : channels) {
-            members.add(
-                QString::number(channel),
-                calibrationJson(configuration, calibration, u"%1.%2"_s.arg(path).arg(channel)));
+        const auto set = configuration.calibrations.find(input);
+        if (set != configuration.calibrations.end()) {
+            for (const auto& [channel, calibration] : set->second) {
+                const QString place = u"%1.%2"_s.arg(path).arg(channel);
+                members.add(QString::number(channel),
+                            calibrationJson(configuration, calibration, place));
+            }
+        } else if (!members.hasOthers()) {
+            continue; // with a comment, or what a newer program knows, the set is there
         }
         sets.add(keyOf(input), members.onLines(2));
     }

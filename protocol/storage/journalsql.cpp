@@ -174,7 +174,7 @@ bool keepAside(const QString& path)
     constexpr int kMostKept = 100;
     for (int number = 1; number <= kMostKept; ++number) {
         const QString name =
-            number == 1 ? path + u".damaged"_s : u"%1.damaged.%2"_s.arg(path).arg(number);
+            number == 1 ? path + u".damaged"_s : path + u".damaged.%1"_s.arg(number);
         if (QFileInfo::exists(name)) {
             continue;
         }

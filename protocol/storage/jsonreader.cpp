@@ -49,6 +49,18 @@ QString encodingProblem(const QByteArray& json)
                                : QString();
 }
 
+/// Where the first line begins that is no UTF-8; no letter's bytes have a line's end in them.
+qsizetype firstLineOfOthers(const QByteArray& json)
+{
+    qsizetype start = 0;
+    for (qsizetype end = json.indexOf('\n');
+         end >= 0 && QByteArrayView(json).sliced(start, end - start).isValidUtf8();
+         end = json.indexOf('\n', start)) {
+        start = end + 1;
+    }
+    return start;
+}
+
 /// What the JSON parser says, and more where a person's habit is plain to see.
 QString syntaxText(const QJsonParseError& problem, const QByteArray& json)
 {
@@ -82,6 +94,12 @@ Result<ParsedJson> parseJson(const QByteArray& bytes, const QString& fileName)
     const auto document = QJsonDocument::fromJson(json, &problem);
     if (problem.error != QJsonParseError::NoError) {
         return wrong(problem.offset, syntaxText(problem, json));
+    }
+    // The parser lets a backslash before any byte pass, and what we wrote of that it would not
+    // read.
+    if (!json.isValidUtf8()) {
+        return wrong(firstLineOfOthers(json),
+                     ConfigFile::tr("there are bytes that are no UTF-8; save it as UTF-8"));
     }
     if (!document.isObject()) {
         return wrong(0, ConfigFile::tr("must be an object in braces"));

@@ -45,7 +45,8 @@ std::optional<Error> examine(const QString& path)
     for (const QByteArray& line : lines) {
         ++number;
         if (line.contains('\0') || !isIniLine(line)) {
-            return Error{ErrorCode::FileMalformed, QStringLiteral("%1:%2").arg(path).arg(number)};
+            return Error{ErrorCode::FileMalformed,
+                         QStringLiteral("%1:%2").arg(path, QString::number(number))};
         }
     }
     return std::nullopt;
@@ -57,7 +58,7 @@ bool keepAside(const QString& path)
     constexpr int kMostKept = 100;
     for (int number = 1; number <= kMostKept; ++number) {
         const QString name = number == 1 ? path + QStringLiteral(".damaged")
-                                         : QStringLiteral("%1.damaged.%2").arg(path).arg(number);
+                                         : path + QStringLiteral(".damaged.%1").arg(number);
         if (!QFileInfo::exists(name)) {
             return QFile::rename(path, name);
         }

@@ -16,6 +16,7 @@ private slots:
     void parse_keepsTimeoutNoteAndInnerSteps();
     void parse_saysWhereAndWhatIsWrong_data();
     void parse_saysWhereAndWhatIsWrong();
+    void parse_refusalIsShort();
     void read_saysWhyAFileCannotBeRead();
     void demonstrationAndStories_areScripts_data();
     void demonstrationAndStories_areScripts();
@@ -123,6 +124,14 @@ void TestScriptFile::parse_saysWhereAndWhatIsWrong()
     QCOMPARE(script.error().code, ErrorCode::FileMalformed);
     QVERIFY2(script.error().context.startsWith(u"bad.json"_s), qPrintable(script.error().context));
     QVERIFY2(script.error().context.contains(said), qPrintable(script.error().context));
+}
+
+void TestScriptFile::parse_refusalIsShort()
+{
+    const QByteArray name(100'000, 'x');
+    const auto script = parseScript("{\"steps\":[{\"" + name + "\":1}]}", u"x"_s);
+    QVERIFY(!script && script.error().context.startsWith(u"x, step 0: there is no action \"xxx"_s));
+    QVERIFY(script.error().context.size() < 300);
 }
 
 void TestScriptFile::read_saysWhyAFileCannotBeRead()

@@ -20,6 +20,7 @@ private slots:
     void context_isAlwaysTold();
     void wording_namesThePlaceAndTheCure_data();
     void wording_namesThePlaceAndTheCure();
+    void context_cannotBreakTheLine();
     void outOfRange_tellsValueAndRange();
     void loss_isAStateOfTheLine();
 };
@@ -77,6 +78,13 @@ void TstErrorText::wording_namesThePlaceAndTheCure()
     const QString text = errorText({static_cast<ErrorCode>(code), QStringLiteral("PLACE")});
     QVERIFY2(text.startsWith(start), qPrintable(text));
     QVERIFY2(text.contains(cure), qPrintable(text));
+}
+
+void TstErrorText::context_cannotBreakTheLine()
+{
+    const QString context = QStringLiteral("a\nb\tc\u0007d\u202Ee\u2028f%1");
+    const QString text = errorText({ErrorCode::FileMalformed, context});
+    QVERIFY2(text.contains(QStringLiteral("(a b c\uFFFDd\uFFFDe f%1)")), qPrintable(text));
 }
 
 void TstErrorText::outOfRange_tellsValueAndRange()

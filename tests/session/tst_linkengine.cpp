@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/codec/crc7.h"
+#include "protocol/codec/lineprobe.h"
 #include "protocol/codec/packet.h"
 #include "tests/support/virtualline.h"
 
@@ -423,6 +424,51 @@ private slots:
         QVERIFY(packet.has_value());
         QVERIFY(!isPlausible(packet->command, reply));
         QVERIFY(isPlausible(packet->command, trexAnswers(query)));
+    }
+
+    void stop_whileTheLineIsGivenUp_leavesAllTheSame()
+    {
+        VirtualLine line({}, true, false); // silent, and not to be tried again
+        line.open();
+        line.run(550ms); // the third question is out
+        QCOMPARE(line.engine.state(), LinkState::Connecting);
+        line.sent.clear();
+        line.engine.stop(stopPackets(), line.now);
+        line.run(300ms);
+        QCOMPARE(line.engine.state(), LinkState::Disconnected);
+        QCOMPARE(line.sentPackets().mid(0, 2),
+                 (QByteArrayList{QByteArray::fromHex("da0000"), QByteArray::fromHex("f000")}));
+        QCOMPARE(line.outcomes.size(), std::size_t{2});
+        QVERIFY(line.outcomes[0].reply && line.outcomes[1].reply);
+        line.engine.stop(stopPackets(), line.now); // now there is nobody
+        line.run(300ms);
+        QCOMPARE(line.outcomes.size(), std::size_t{4});
+        QCOMPARE(line.outcomes[3].reply.error().code, ErrorCode::NotConnected);
+    }
+
+    void probe_damagedAnswerIsNoStatus()
+    {
+        LineSettings settings{.errorDetection = ErrorDetection::Crc7,
+                              .form = PacketForm::Pololu,
+                              .echo = EchoMode::Off};
+        for (int polynomial = 0x80; polynomial < 0x100; ++polynomial) {
+            settings.polynomial = static_cast<std::uint8_t>(polynomial);
+            if (lineProbe(settings).query == query("get-status")) {
+                break;
+            }
+        }
+        QVERIFY(lineProbe(settings).query == query("get-status"));
+        for (const bool isDamaged : {false, true}) {
+            VirtualLine line(settings);
+            line.peer = [&](const QByteArray&) {
+                QByteArray reply(1, '\x20');
+                return reply + char(crc7(reply, settings.polynomial) ^ (isDamaged ? 1 : 0));
+            };
+            line.open();
+            line.run(50ms);
+            QCOMPARE(line.samples.size(), std::size_t{isDamaged ? 0U : 1U});
+            QVERIFY(line.sent.size() > 1); // somebody is there, either way
+        }
     }
 
     void shutDown_sendsNothingButStop()

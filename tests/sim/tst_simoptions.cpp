@@ -19,6 +19,7 @@ private slots:
     void scenario_isReadWhole();
     void scenario_mistakesAreNamed_data();
     void scenario_mistakesAreNamed();
+    void scenario_refusalNamesTheFileAndIsShort();
     void scenario_fileMustBeThere();
     void state_outlivesTheLine();
     void state_decidesTheLine();
@@ -186,6 +187,16 @@ void TstSimOptions::scenario_mistakesAreNamed()
     QCOMPARE(scenario.error().code, ErrorCode::FileMalformed);
     QVERIFY2(scenario.error().context.contains(named), qPrintable(scenario.error().context));
     QVERIFY(scenario.error().context.startsWith(QLatin1String("s.json")));
+}
+
+void TstSimOptions::scenario_refusalNamesTheFileAndIsShort()
+{
+    const QString name = QStringLiteral("50%2.json");
+    const auto syntax = parseScenario("{\n,", name);
+    QVERIFY(!syntax && syntax.error().context.startsWith(QStringLiteral("50%2.json, line 2: ")));
+    const auto key = parseScenario("{\"" + QByteArray(100'000, 'x') + "\":1}", name);
+    QVERIFY(!key && key.error().context.startsWith(QStringLiteral("50%2.json: \"xxx")));
+    QVERIFY(key.error().context.size() < 300);
 }
 
 void TstSimOptions::scenario_fileMustBeThere()

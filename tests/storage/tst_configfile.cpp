@@ -362,6 +362,9 @@ void TestConfigFile::newerVersion_isKeptAndTold()
     QVERIFY(written.contains("\"mood\": [1,{\"a\":\"ü\"}]"));
     QVERIFY(written.contains("\"reason\": \"bench\""));
     QVERIFY(written.contains("\"version\": 3"));
+    QVERIFY(written.contains("\"9\": {\"minimum\":1}")); // though the set has nothing else
+    const auto again = parseConfiguration(written, kName);
+    QVERIFY(again && *again == *parsed);
     // What is known must still make sense.
     verifyRefused(
         R"({"format":"trexpanel-configuration","version":3,"parameters":{"serial-timeout":{"raw":500}}})",
