@@ -5,6 +5,8 @@
 
 #include "protocol/errortext.h"
 
+#include <QSignalBlocker>
+
 #include <utility>
 
 namespace trex {
@@ -323,7 +325,10 @@ void ChannelCalibration::forget()
     m_learner.reset();
     m_learned = {};
     m_directions = {};
-    m_writer.reset();
+    {
+        const QSignalBlocker quiet(m_writer); // nobody looks before all of it is put back
+        m_writer.reset();
+    }
     m_channels = m_chosenBefore;
     m_outcome.clear();
     m_stopReason.clear();

@@ -198,7 +198,15 @@ void TestChannelCalibration::cancel_changesNothing()
         bench.calibration.next();
     }
     QCOMPARE(int(bench.calibration.step()), step);
+    std::vector<Step> told; // at each call to look again: nothing half put back is to be seen
+    const auto look = connect(&bench.calibration, &ChannelCalibration::updated, this, [&] {
+        told.push_back(bench.calibration.step());
+        static_cast<void>(bench.calibration.whyNot());
+    });
     bench.calibration.cancel();
+    disconnect(look);
+    QVERIFY(!told.empty());
+    QVERIFY(std::all_of(told.begin(), told.end(), [](Step at) { return at == Step::Choose; }));
     QCOMPARE(bench.calibration.step(), Step::Choose);
     QCOMPARE(bench.calibration.channels(), std::uint8_t(0b00011));
     QCOMPARE(finished.size(), 1);
