@@ -16,7 +16,8 @@ constexpr auto kEpisode = 1500ms; // longer than any of the passing faults
 constexpr int kMostOfAnEpisode = 60; // transactions
 constexpr auto kHearing = 4ms; // an order on the wire
 constexpr auto kRepetition = 30ms; // until a stop on a doubtful line has been sent once more
-constexpr std::array kParameters{0x0E, 0x0F, 0x10, 0x11, 0x12, 0x13};
+// None that has a say in a motor's speed.
+constexpr std::array kParameters{0x05, 0x06, 0x0B, 0x0C, 0x0D, 0x01};
 
 sim::SimOptions optionsOf(const LineFault& fault, const LineSettings& line, quint64 seed)
 {
@@ -94,18 +95,64 @@ CellCounts FaultCell::run(quint64 packets)
     m_link.open();
     while (m_link.stats.transactions < packets) {
         m_link.run(200ms);
-        begin();
-        work();
-        end();
-        recover();
-        ++m_episode;
+        episode();
     }
+    takeCounts();
+    return m_counts;
+}
+
+CellCounts FaultCell::soak(Duration length)
+{
+    m_link.open();
+    for (const Instant end = m_link.now + length; m_link.now < end;) {
+        m_link.run(std::chrono::milliseconds(number(1, 120'000)));
+        do {
+            m_fault = kLineFaults.at(
+                static_cast<std::size_t>(number(0, static_cast<int>(kLineFaults.size()) - 1)));
+        } while (m_fault.kind == LineFault::Kind::Echo || isSecond());
+        m_asked = static_cast<Asked>(number(0, static_cast<int>(kAskedNames.size()) - 1));
+        episode();
+        m_link.outcomes.clear();
+        m_link.events.clear();
+    }
+    takeCounts();
+    return m_counts;
+}
+
+void FaultCell::episode()
+{
+    begin();
+    work();
+    end();
+    recover();
+    ++m_episode;
+}
+
+void FaultCell::takeCounts()
+{
     m_counts.packets = m_link.stats.transactions;
     m_counts.noReply = m_link.stats.timeouts;
     m_counts.badReplies = m_link.stats.badReplies;
     m_counts.crcErrors = m_link.stats.crcErrors;
     m_counts.hanging += static_cast<quint64>(m_link.doubleOutcomes);
-    return m_counts;
+}
+
+quint64 FaultCell::samples() const
+{
+    quint64 all = 0;
+    for (const int count : m_link.sampleCounts) {
+        all += static_cast<quint64>(count);
+    }
+    return all;
+}
+
+quint64 FaultCell::sent()
+{
+    quint64 all = 0;
+    for (const PollRow& row : kPolls) {
+        all += controller().firmware().sent().of(pollCommand(row.id).opcode).count;
+    }
+    return all;
 }
 
 void FaultCell::begin()

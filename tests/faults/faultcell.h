@@ -72,6 +72,12 @@ public:
               quint64 seed);
     /// Episodes of the fault, each with a recovery, until so many packets were sent.
     [[nodiscard]] CellCounts run(quint64 packets);
+    /// For so long, polling at full rate; every minute, about, an episode of any fault but those
+    /// that are a matter of the wiring, with any kind of command.
+    [[nodiscard]] CellCounts soak(Duration length);
+    [[nodiscard]] quint64 samples() const; ///< of polls, delivered
+    [[nodiscard]] quint64 sent(); ///< replies to polls that the controller sent
+    [[nodiscard]] int episodes() const { return m_episode; }
 
 private:
     struct Speeds {
@@ -79,6 +85,8 @@ private:
         bool operator==(const Speeds&) const = default;
     };
     void begin();
+    void episode();
+    void takeCounts();
     void end();
     void work();
     void recover();
