@@ -30,6 +30,7 @@ struct Flight {
     Instant deadline;
     Instant limit; ///< no deadline goes beyond it
     Instant lastByte;
+    bool isComplete = false; ///< but watched for bytes that would not belong to it
 };
 
 } // namespace trex

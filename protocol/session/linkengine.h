@@ -128,6 +128,7 @@ private:
     bool m_needsSync = false;
     bool m_open = false;
     bool m_motionSent = false; ///< an order other than neutral left since the last stop
+    bool m_maybeMisheard = false; ///< a packet without an answer may have been taken for an order
     Instant m_lineFreeAt;
     Instant m_quietUntil;
     std::optional<Instant> m_noisySince; ///< bytes that nobody asked for keep coming

@@ -84,6 +84,12 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
         || flight.queued.transaction.command.row().needsSerialMode) {
         stopAfterWrite();
     }
+    if (code == ErrorCode::NoReply && !m_settings.hasCrc() && flight.sentBytes.size() > 1
+        && flight.queued.role == Role::Normal) {
+        // One bit makes "accelerate motor 1" of the raw channels' query; at another speed of a
+        // controller that has restarted, more do so. One byte alone is no order.
+        m_maybeMisheard = true;
+    }
     ++m_failures;
     m_again.lastFailure = now;
     LinkStats& stats = m_batch.stats;

@@ -189,6 +189,13 @@ void LinkEngine::judgeNormal(qsizetype surplus, Instant at)
         failFlight(ErrorCode::BadReply, at);
         return;
     }
+    if (flight.queued.transaction.priority == Priority::User && !m_settings.hasCrc()) {
+        // One byte of a reply looks like any other: it is believed when no more follow. Polls are
+        // not watched, which would cost a part of their rate.
+        flight.isComplete = true;
+        flight.deadline = at + m_settings.timeOf(2);
+        return;
+    }
     complete(payload, at);
 }
 
@@ -220,6 +227,10 @@ void LinkEngine::onDeadline(Instant now)
         }
     }
     const Flight& flight = *m_flight;
+    if (flight.isComplete) {
+        complete(flight.parser.payload(), flight.lastByte);
+        return;
+    }
     if (flight.queued.role == Role::Probe && isProbeAnswered()) {
         onProbeAnswered(now);
         return;
@@ -287,6 +298,10 @@ void LinkEngine::complete(const QByteArray& payload, Instant at)
     m_lastValid = at;
     const bool isWrite = flight.queued.transaction.rawBytes.isEmpty()
         && flight.queued.transaction.command.row().needsSerialMode;
+    if (std::exchange(m_maybeMisheard, false) && !m_motionSent) {
+        m_motionSent = true;
+        queueStopForLoss();
+    }
     // 0 done, 3 not in serial mode (command documentation, 0xA0 and 0xAF): it was heard as meant.
     if (isWrite && payload != QByteArray(1, '\0') && payload != QByteArray(1, '\3')) {
         stopAfterWrite();

@@ -78,7 +78,7 @@ std::optional<LinkEngine::Action> LinkEngine::waitForFlight(Instant now)
     if (!m_flight) {
         return std::nullopt;
     }
-    if (now >= m_flight->deadline) {
+    if (now >= m_flight->deadline || (m_flight->isComplete && !m_stops.empty())) {
         onDeadline(now);
     } else if (m_open && !m_stops.empty() && now >= overdueAt()) {
         overtake(now);
