@@ -22,6 +22,7 @@ struct Recording {
 
 // SQLite's file format: the places in the first page that say what it is.
 constexpr qsizetype kHeaderBytes = 100;
+constexpr qsizetype kFormatOffset = 18; // two bytes, for writing and reading: 1, with a WAL 2
 constexpr qsizetype kVersionOffset = 60;
 constexpr qsizetype kApplicationOffset = 68;
 
@@ -87,6 +88,11 @@ Result<void> RecordingReader::connect()
     if (qFromBigEndian<qint32>(header.constData() + kVersionOffset) != kRecordingVersion) {
         return tl::make_unexpected(malformed(
             Recording::tr("a recording of another version; a newer program may read it")));
+    }
+    const bool isInWalMode = header[kFormatOffset] > 1 || header[kFormatOffset + 1] > 1;
+    if (isInWalMode
+        && !(QFileInfo(m_path + u"-wal"_s).isFile() && QFileInfo(m_path + u"-shm"_s).isFile())) {
+        return copyAside(); // SQLite would leave what is missing beside it
     }
     auto connected = connectTo(m_path, false);
     const int code = connected || !m_database ? 0 : m_database->lastCode() & kCodeMask;

@@ -8,6 +8,7 @@
 #include "protocol/storage/recordingwriter.h"
 #include "protocol/storage/sampletap.h"
 
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
@@ -389,12 +390,22 @@ void tst_recording::unfinished_opensWithWal()
         QVERIFY(QFile::copy(path(), copy));
         QVERIFY(QFile::copy(path() + u"-wal"_s, copy + u"-wal"_s));
     }
-    const auto reader = RecordingReader::open(copy);
-    QVERIFY2(reader, reader ? "" : qPrintable(errorText(reader.error())));
-    TelemetryStore back;
-    (*reader)->loadAll(back, kStart);
-    compareStores(back, store);
-    QVERIFY((*reader)->remark().contains(u"not ended"_s));
+    const auto beside = [&] {
+        return QDir(QFileInfo(copy).path()).entryList({QFileInfo(copy).fileName() + u'*'});
+    };
+    const QStringList before = beside();
+    {
+        const auto reader = RecordingReader::open(copy);
+        QVERIFY2(reader, reader ? "" : qPrintable(errorText(reader.error())));
+        TelemetryStore back;
+        (*reader)->loadAll(back, kStart);
+        compareStores(back, store);
+        QVERIFY((*reader)->remark().contains(u"not ended"_s));
+    }
+    QCOMPARE(beside(), before); // nothing of SQLite's is left there
+    QVERIFY(QFile::remove(copy + u"-wal"_s));
+    (void)RecordingReader::open(copy); // whatever is in it without
+    QCOMPARE(beside().size(), 1);
 }
 
 void tst_recording::unfinished_opensWhereNothingCanBeWritten()
