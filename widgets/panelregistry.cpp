@@ -6,6 +6,7 @@
 #include "widgets/channels/channelspanel.h"
 #include "widgets/connection/connectionpanel.h"
 #include "widgets/currents/currentspanel.h"
+#include "widgets/health/healthpanel.h"
 #include "widgets/log/logpanel.h"
 #include "widgets/motors/motorspanel.h"
 #include "widgets/packets/packetspanel.h"
@@ -38,6 +39,7 @@ constexpr std::array kPanels {
     PanelRow {.id = "parameters",  .title = QT_TRANSLATE_NOOP("Panels", "Parameters"),     .icon = "parameters", .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<ParametersPanel>, .inRecordings = true},
     PanelRow {.id = "packets",     .title = QT_TRANSLATE_NOOP("Panels", "Packets"),        .icon = "packets",    .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<PacketsPanel>, .inRecordings = true},
     PanelRow {.id = "log",         .title = QT_TRANSLATE_NOOP("Panels", "Log"),            .icon = "log",        .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<LogPanel>, .inRecordings = true},
+    PanelRow {.id = "health",      .title = QT_TRANSLATE_NOOP("Panels", "Link health"),    .icon = "link",       .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<HealthPanel>},
     PanelRow {.id = "calibration", .title = QT_TRANSLATE_NOOP("Panels", "Calibration"),    .icon = "calibrate",  .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<CalibrationPanel>},
     PanelRow {.id = "bench",       .title = QT_TRANSLATE_NOOP("Panels", "Bench tests"),    .icon = "play",       .area = Qt::BottomDockWidgetArea, .order = 0, .make = make<BenchPanel>},
     PanelRow {.id = "channels",    .title = QT_TRANSLATE_NOOP("Panels", "Channels"),       .icon = "channels",   .area = Qt::RightDockWidgetArea,  .order = 0, .make = make<ChannelsPanel>, .inRecordings = true},

@@ -28,6 +28,12 @@ struct SimOptionRow {
     Result<void> (*apply)(SimulateVerb&, const QString&);
 };
 
+template <class T, class Take>
+Result<void> taken(const Result<T>& result, Take take)
+{
+    return result.map([&take](const T& value) { take(value); });
+}
+
 class SimulateVerb : public Verb {
 public:
     void declare(CLI::App& app) override;
@@ -47,6 +53,11 @@ public:
         if (const auto listening = listen(); !listening) {
             m_server.reset();
             session.fail(listening.error());
+        } else if (m_server->servesOthers()) {
+            session.tell(Cli::tr("Listening on %1: whoever reaches this computer can drive this "
+                                 "simulated controller. --tcp PORT alone serves this computer "
+                                 "only.")
+                             .arg(m_tcpAddress));
         }
         co_return; // serves until a signal
     }
@@ -66,7 +77,25 @@ public:
 
     SimOptions& options() { return m_options; }
     void setPty(const QString& link) { m_pty = link; }
-    void setTcpPort(int port) { m_tcpPort = port; }
+    /// "PORT", or "ADDRESS:PORT" with a number as address ("[::]:PORT").
+    Result<void> setTcp(const QString& text)
+    {
+        const qsizetype colon = text.lastIndexOf(QLatin1Char(':'));
+        QString address = text.left(std::max<qsizetype>(colon, 0));
+        if (address.startsWith(QLatin1Char('[')) && address.endsWith(QLatin1Char(']'))) {
+            address = address.mid(1, address.size() - 2);
+        }
+        if (colon >= 0 && !SimServer::isAddress(address)) {
+            return trex::fail(
+                ErrorCode::OutOfRange,
+                Cli::tr("--tcp %1 (PORT, or ADDRESS:PORT such as 0.0.0.0:4000)").arg(text));
+        }
+        return taken(numberInRange("--tcp", text.mid(colon + 1), 0, kLargestTcpPort),
+                     [&](int port) {
+                         m_tcpAddress = address;
+                         m_tcpPort = port;
+                     });
+    }
     void setLogFile(const QString& path) { m_logFile = path; }
     void addDevice(int number)
     {
@@ -89,8 +118,9 @@ private:
                 return isWanted ? m_server->listenPty(m_pty.value_or(QString())) : Result<void>();
             })
             .and_then([this] {
-                return m_tcpPort ? m_server->listenTcp(static_cast<quint16>(*m_tcpPort))
-                                 : Result<void>();
+                return m_tcpPort
+                    ? m_server->listenTcp(static_cast<quint16>(*m_tcpPort), m_tcpAddress)
+                    : Result<void>();
             });
     }
 
@@ -99,15 +129,10 @@ private:
     bool m_hasOwnDevices = false;
     std::optional<QString> m_pty;
     std::optional<int> m_tcpPort;
+    QString m_tcpAddress; ///< empty: this computer only
     std::optional<QString> m_logFile;
     std::unique_ptr<SimServer> m_server;
 };
-
-template <class T, class Take>
-Result<void> taken(const Result<T>& result, Take take)
-{
-    return result.map([&take](const T& value) { take(value); });
-}
 
 /// One line option, as the global ones are read.
 Result<void> applyLine(SimulateVerb& verb, std::optional<QString> LineOptionValues::*option,
@@ -123,8 +148,8 @@ Result<void> applyLine(SimulateVerb& verb, std::optional<QString> LineOptionValu
 constexpr auto kOptions = std::to_array<SimOptionRow>({
     {"--pty", "LINK", QT_TRANSLATE_NOOP("Cli", "serve on a pseudo-terminal with this link to it (the default, without a link)"), false,
      [](SimulateVerb& v, const QString& t) { v.setPty(t); return Result<void>(); }},
-    {"--tcp", "PORT", QT_TRANSLATE_NOOP("Cli", "serve on 127.0.0.1:PORT; 0 takes a free one"), false,
-     [](SimulateVerb& v, const QString& t) { return taken(numberInRange("--tcp", t, 0, kLargestTcpPort), [&](int n) { v.setTcpPort(n); }); }},
+    {"--tcp", "PORT", QT_TRANSLATE_NOOP("Cli", "serve on 127.0.0.1:PORT; 0 takes a free one; ADDRESS:PORT: for other computers, too"), false,
+     [](SimulateVerb& v, const QString& t) { return v.setTcp(t); }},
     {"--model", "NAME", QT_TRANSLATE_NOOP("Cli", "jr (default) or trex"), false,
      [](SimulateVerb& v, const QString& t) { return v.options().applyModel(t); }},
     {"--firmware", "X.Y", QT_TRANSLATE_NOOP("Cli", "1.0 to 1.3, default 1.2"), false,

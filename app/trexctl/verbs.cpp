@@ -18,6 +18,7 @@ constexpr auto kVerbs = std::to_array<VerbRow>({
     {"scan", TREX_FIND, QT_TRANSLATE_NOOP("Cli", "find controllers on --port, whatever their line settings"), makeScan},
     {"info", TREX_FIND, QT_TRANSLATE_NOOP("Cli", "signature, mode, who controls the motors, learned channels"), makeInfo},
     {"status", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "status byte and UART error byte; reading clears both in the controller"), makeStatus},
+    {"health", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "how well the line does, and what would help; reading clears the UART error byte"), makeHealth},
     {"channels", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "raw and remapped inputs, once or as a stream"), makeChannels},
     {"currents", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "motor currents, once or as a stream"), makeCurrents},
     {"record", TREX_WATCH, QT_TRANSLATE_NOOP("Cli", "a crash-safe recording of currents, channels, status, settings"), makeRecord},

@@ -23,6 +23,8 @@ struct VerbRow {
 // verb_info.cpp
 [[nodiscard]] std::unique_ptr<Verb> makeInfo();
 [[nodiscard]] std::unique_ptr<Verb> makeStatus();
+// verb_health.cpp
+[[nodiscard]] std::unique_ptr<Verb> makeHealth();
 // verb_ports.cpp
 [[nodiscard]] std::unique_ptr<Verb> makePorts();
 [[nodiscard]] std::unique_ptr<Verb> makeScan();

@@ -2,10 +2,10 @@
 #include "app/trexpanel/linkstatusbar.h"
 
 #include "protocol/session/controller.h"
+#include "protocol/session/linkfigures.h"
 #include "widgets/common/frameticker.h"
 #include "widgets/common/theme.h"
 
-#include <QCoreApplication>
 #include <QLabel>
 #include <QPainter>
 
@@ -17,14 +17,6 @@ namespace {
 
 constexpr int kTicksBetween = 15; ///< half a second: figures that can be read
 constexpr double kWorthTelling = 0.9; ///< part of the asked rate below which it is told
-
-/// What a poll brings, in the order of PollId.
-constexpr std::array<const char*, kPollCount> kPollNames{
-    QT_TRANSLATE_NOOP("Polls", "currents"),          QT_TRANSLATE_NOOP("Polls", "channels"),
-    QT_TRANSLATE_NOOP("Polls", "remapped channels"), QT_TRANSLATE_NOOP("Polls", "status"),
-    QT_TRANSLATE_NOOP("Polls", "UART errors"),       QT_TRANSLATE_NOOP("Polls", "mode"),
-    QT_TRANSLATE_NOOP("Polls", "control"),           QT_TRANSLATE_NOOP("Polls", "learned channels"),
-};
 
 StateShape shapeOf(LinkState state)
 {
@@ -148,11 +140,11 @@ QString LinkStatusBar::tooSlowText() const
     if (stats.pollScale >= 1.0) {
         return {};
     }
-    for (std::size_t i = 0; i < kPollNames.size(); ++i) {
+    for (std::size_t i = 0; i < stats.askedHertz.size(); ++i) {
         const double asked = stats.askedHertz.at(i);
         if (asked > 0 && stats.achievedHertz.at(i) < asked * kWorthTelling) {
             return tr("line too slow: %1 %2 of %3 Hz")
-                .arg(QCoreApplication::translate("Polls", kPollNames.at(i)))
+                .arg(pollText(static_cast<PollId>(i)))
                 .arg(qRound(stats.achievedHertz.at(i)))
                 .arg(qRound(asked));
         }

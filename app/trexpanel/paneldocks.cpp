@@ -132,9 +132,17 @@ QByteArray PanelDocks::layout() const
 
 void PanelDocks::bringForward(const QString& panelId)
 {
-    if (auto* dock = m_window.findChild<QDockWidget*>(u"dock."_s + panelId)) {
-        dock->show();
-        dock->raise();
+    auto* dock = m_window.findChild<QDockWidget*>(u"dock."_s + panelId.section(u'/', 0, 0));
+    if (dock == nullptr) {
+        return;
+    }
+    dock->show();
+    dock->raise();
+    const QString control = panelId.section(u'/', 1);
+    auto* wanted = control.isEmpty() ? nullptr : dock->findChild<QWidget*>(control);
+    if (wanted != nullptr) {
+        wanted->setFocus(Qt::OtherFocusReason);
+        dock->window()->activateWindow();
     }
 }
 

@@ -120,6 +120,7 @@ void Controller::open(const OpenOptions& options)
     m_lastMode.reset();
     m_gate.newLine();
     m_stats = {};
+    m_health = {};
     if (m_sampler) {
         m_sampler->restart();
     }
@@ -194,6 +195,12 @@ void Controller::requestRaw(const QByteArray& bytes, int replyBytes, QObject* co
     }
     const Transaction transaction{.id = id, .rawBytes = bytes, .rawReplyBytes = replyBytes};
     m_link->post([transaction](LinkWorker& worker) { worker.submit(transaction); });
+}
+
+void Controller::resetHealth()
+{
+    m_health = {.adapter = m_health.adapter};
+    m_link->post([](LinkWorker& worker) { worker.resetHealth(); });
 }
 
 void Controller::want(const QObject* who, PollId poll, double hertz)

@@ -24,7 +24,6 @@ class TelemetryStore;
 class Controller : public QObject {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(Controller)
-
 public:
     using ReplyHandler = WaitingList::Handler;
     /// `store` and `latch` may be null; they are filled before batchArrived(). With a latch, mode,
@@ -38,6 +37,8 @@ public:
     [[nodiscard]] std::optional<Error> lastError() const { return m_lastError; }
     [[nodiscard]] const OpenOptions& options() const { return m_options; }
     [[nodiscard]] const LinkStats& stats() const { return m_stats; }
+    [[nodiscard]] const LinkHealth& health() const { return m_health; } ///< four times a second
+    void resetHealth(); ///< its figures count from now
     [[nodiscard]] const DeviceInfo& device() const { return m_device; }
     [[nodiscard]] Model model() const; ///< TReX Jr until a signature says otherwise
     /// Asks. The handler runs on the main thread, once, unless `context` dies before. Motor
@@ -52,8 +53,7 @@ public:
     // The motor gate: nothing passes it but by driveMotor(), driveBoth(), requestRaw() and stop().
     [[nodiscard]] bool isArmed() const { return m_gate.isArmed(); }
     [[nodiscard]] const MotorGate& gate() const { return m_gate; } ///< why it is closed
-    /// Errors: NotConnected, LockedOut (just after a stop).
-    [[nodiscard]] Result<void> arm();
+    [[nodiscard]] Result<void> arm(); ///< errors: NotConnected, LockedOut (just after a stop)
     void disarm(); ///< stops, then closes the gate
     void disarm(DisarmReason reason, const QString& detail = {}); ///< when armed; kept and told
     /// Within the motion limits. Errors: Disarmed, OutOfRange, NotConnected, LockedOut. The
@@ -84,7 +84,6 @@ public:
     void showRecords(const std::vector<TransactionRecord>& records, bool isAnew);
     void powerCycleSimulator(); ///< of `sim:`; nothing on any other port
     void noteRestart(const QString& evidence); ///< it was off, as this clause says: disarms
-
 signals:
     void stateChanged(trex::LinkState state);
     void closed();
@@ -129,6 +128,7 @@ private:
     LinkState m_state = LinkState::Disconnected;
     std::optional<Error> m_lastError;
     LinkStats m_stats;
+    LinkHealth m_health;
     DeviceInfo m_device;
     WaitingList m_waiting;
     QHash<const QObject*, std::array<double, kPollCount>> m_wishes;

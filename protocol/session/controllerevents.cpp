@@ -4,6 +4,7 @@
 #include "protocol/errortext.h"
 #include "protocol/session/controller.h"
 #include "protocol/session/linkengine.h"
+#include "protocol/session/linkfacts.h"
 #include "protocol/session/linksampler.h"
 #include "protocol/session/linkthread.h"
 #include "protocol/telemetry/statuslatch.h"
@@ -46,6 +47,13 @@ void Controller::onBatch(const LinkBatch& batch)
         return; // of an earlier connection
     }
     m_stats = batch.stats;
+    if (!batch.health.empty()) {
+        const AdapterFacts before = std::exchange(m_health, batch.health.back()).adapter;
+        const QString note = m_health.adapter != before ? adapterText(m_health.adapter) : QString();
+        if (!note.isEmpty()) {
+            emit eventLogged(0, note);
+        }
+    }
     for (const PollSample& sample : batch.samples) {
         onSample(sample);
     }

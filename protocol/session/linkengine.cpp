@@ -14,6 +14,7 @@ using namespace std::chrono_literals;
 
 // Late replies prolong the wait for the synchronising one, endless noise does not.
 constexpr auto kSynchroniseExtra = 500ms;
+constexpr qsizetype kMostRecorded = 1024; // of what a line gone mad brings instead of a reply
 
 std::size_t motorSlot(const Command& command)
 {
@@ -62,7 +63,7 @@ LinkEngine::LinkEngine(const LineSettings& settings, bool identify, bool reconne
     m_plan.setLine(settings);
 }
 
-void LinkEngine::opened(Instant now)
+void LinkEngine::opened(Instant now, const AdapterFacts& adapter)
 {
     m_open = true;
     m_echo = m_settings.echo == EchoMode::Auto ? Echo::Unknown
@@ -79,6 +80,7 @@ void LinkEngine::opened(Instant now)
     m_lastValid = now;
     m_failures = 0;
     m_rates.start = now;
+    m_rates.health.opened(now, adapter);
     if (!m_identify) {
         setState(LinkState::Connected, std::nullopt, now);
         m_plan.restart(now);
@@ -93,6 +95,7 @@ void LinkEngine::opened(Instant now)
 void LinkEngine::lineFailed(const Error& error, Instant now)
 {
     m_open = false;
+    m_rates.health.closed(now);
     m_guard = {};
     m_again.at.reset();
     if (m_flight) {
@@ -236,6 +239,7 @@ std::optional<LinkEngine::Queued> LinkEngine::choose(Instant now)
     }
     if (m_retry && (m_retry->transaction.priority == Priority::User || m_users.empty())) {
         ++m_batch.stats.retries;
+        ++m_rates.health.at(now).retries;
         return std::exchange(m_retry, std::nullopt);
     }
     if (!m_users.empty()) {
@@ -282,16 +286,17 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
         wait = std::max<Duration>(m_settings.timeout + m_slack + row.processing, row.giveUp);
         usual = std::max<Duration>(usual, row.giveUp);
     }
+    const auto sentCount = static_cast<int>(flight.sentBytes.size());
     ++m_batch.stats.transactions;
     ++m_rates.transactions;
     m_batch.stats.bytesSent += static_cast<quint64>(flight.sentBytes.size());
+    m_rates.health.at(now).addSent(m_settings.timeOf(sentCount), sentCount);
     if (m_echo != Echo::No) {
         m_pendingEcho += flight.sentBytes;
         if (m_pendingEcho.size() > 512) { // orders without reply on a line not known to echo
             m_pendingEcho = m_pendingEcho.last(256);
         }
     }
-    const auto sentCount = static_cast<int>(flight.sentBytes.size());
     m_lineFreeAt = std::max(m_lineFreeAt, now) + m_settings.timeOf(sentCount);
     if (transaction.priority == Priority::Stop && m_stops.empty()) {
         doubtStop();
@@ -333,8 +338,8 @@ void LinkEngine::record(const Flight& flight, Instant ended, std::optional<Error
 {
     const Transaction& transaction = flight.queued.transaction;
     m_batch.records.push_back({transaction.command, transaction.priority, flight.sentBytes,
-                               flight.received, flight.sent, ended, flight.queued.attempt, error,
-                               !transaction.rawBytes.isEmpty()});
+                               flight.received.left(kMostRecorded), flight.sent, ended,
+                               flight.queued.attempt, error, !transaction.rawBytes.isEmpty()});
 }
 
 void LinkEngine::finish(const Queued& queued, const Result<Reply>& result)
@@ -355,23 +360,14 @@ LinkBatch LinkEngine::takeBatch(Instant now)
     m_batch.stats.echo = m_echo == Echo::Yes;
     m_batch.stats.askedHertz = m_plan.wishes();
     m_batch.stats.pollScale = m_plan.scale();
+    if (auto health = m_rates.health.take(now)) {
+        health->patience = m_slack;
+        m_batch.health.push_back(std::move(*health));
+    }
     LinkBatch batch = std::move(m_batch);
     m_batch = {};
     m_batch.stats = batch.stats;
     return batch;
-}
-
-void LinkRates::into(LinkStats& stats, Instant now)
-{
-    const double seconds = std::chrono::duration<double>(now - start).count();
-    if (seconds < 1.0) {
-        return;
-    }
-    stats.transactionsPerSecond = static_cast<double>(transactions) / seconds;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        stats.achievedHertz.at(i) = static_cast<double>(samples.at(i)) / seconds;
-    }
-    *this = {.start = now};
 }
 
 } // namespace trex

@@ -36,7 +36,7 @@ public:
     /// a loss; else the state ends as Disconnected. `canSetLine`: Action::line can be done.
     LinkEngine(const LineSettings& settings, bool identify, bool reconnect, bool canSetLine = true);
 
-    void opened(Instant now);
+    void opened(Instant now, const AdapterFacts& adapter = {});
     /// The port is gone: whatever waited has failed; the driver opens it again.
     void lineFailed(const Error& error, Instant now);
     void received(QByteArrayView bytes, Instant at);
@@ -47,6 +47,7 @@ public:
     void setWishes(const PollWishes& wishes, Instant now);
     /// Fails everything that waits; nothing more is sent but stop packets and lineClearing().
     void shutDown();
+    void resetHealth(Instant now) { m_rates.health.reset(now); } ///< counts from now
 
     [[nodiscard]] Action next(Instant now);
     [[nodiscard]] bool isReplyDue() const { return m_flight.has_value(); }
@@ -86,7 +87,6 @@ private:
     void judgeNormal(qsizetype surplus, Instant at);
     void settleUndecided(Instant now);
     [[nodiscard]] QByteArrayView stripEcho(QByteArrayView bytes);
-    // ending
     void complete(const QByteArray& payload, Instant at);
     void failFlight(ErrorCode code, Instant now);
     void onDeadline(Instant now);

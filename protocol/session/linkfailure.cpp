@@ -66,6 +66,7 @@ void LinkEngine::loseLink(const Error& error, Instant now)
     for (const Queued& queued : std::exchange(m_users, {})) {
         finish(queued, tl::make_unexpected(error));
     }
+    ++m_rates.health.at(now).losses;
     setState(LinkState::Lost, error, now);
     queueStopForLoss(); // and again when the link is back: this one may not be heard
     m_guard.nextIdentify = now;
@@ -99,6 +100,9 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
         ++stats.badReplies;
     } else {
         ++stats.timeouts;
+    }
+    if (m_state == LinkState::Connected) { // else it is only looked for
+        m_rates.health.at(now).addFailure(code);
     }
     if (code != ErrorCode::BadReplyCrc) {
         m_needsSync = true;

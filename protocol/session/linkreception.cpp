@@ -124,7 +124,12 @@ QByteArrayView LinkEngine::stripEcho(QByteArrayView bytes)
 void LinkEngine::deliver(QByteArrayView bytes, Instant at)
 {
     m_batch.stats.bytesReceived += static_cast<quint64>(bytes.size());
+    HealthCounts& health = m_rates.health.at(at);
+    const auto count = static_cast<int>(bytes.size());
+    health.addBytes(m_settings.timeOf(count), count);
     if (!m_flight) {
+        health.addUnasked(bytes, m_needsSync || m_failures > 0 || m_state != LinkState::Connected,
+                          !m_noisySince);
         flushed(bytes.size(), at);
         return;
     }
@@ -151,6 +156,7 @@ void LinkEngine::deliver(QByteArrayView bytes, Instant at)
                                                 : 1)])) {
             flight.deadline = std::min(flight.limit, at + quietGap());
         } else {
+            ++health.lateReplies;
             noteLateness(); // a reply to an earlier query: this line answers later than we waited
             flight.deadline = std::min(
                 flight.limit, std::max(flight.deadline, at + m_settings.timeout + m_slack));
@@ -285,6 +291,7 @@ void LinkEngine::synchronised(Instant at)
     m_failures = 0;
     m_lastValid = at;
     ++m_batch.stats.resyncs;
+    ++m_rates.health.at(at).resyncs;
     m_batch.events.push_back(
         {LinkEvent::Kind::Resynchronised, m_state, std::nullopt, std::nullopt, at});
 }
@@ -312,6 +319,11 @@ void LinkEngine::complete(const QByteArray& payload, Instant at)
         m_settings.timeOf(static_cast<int>(flight.sentBytes.size() + flight.received.size()));
     const double trips = std::chrono::duration<double, std::milli>(trip).count();
     LinkStats& stats = m_batch.stats;
+    ++m_rates.health.at(at).replies;
+    const std::uint8_t opcode = flight.queued.transaction.command.opcode;
+    if (opcode == commandRow("get-uart-errors").first && !payload.isEmpty()) {
+        m_rates.health.at(at).addUartErrors(static_cast<std::uint8_t>(payload.front()));
+    }
     stats.roundTripMs = stats.roundTripMs <= 0.0 ? trips : stats.roundTripMs * 0.95 + trips * 0.05;
     const bool isRaw = !flight.queued.transaction.rawBytes.isEmpty();
     if (!isRaw && !flight.queued.transaction.command.row().needsSerialMode) {
@@ -319,6 +331,7 @@ void LinkEngine::complete(const QByteArray& payload, Instant at)
             static_cast<double>(std::max<Duration>(trip - wire, Duration::zero()).count());
         m_overheadNs += (overhead - m_overheadNs) * 0.02;
         m_plan.setOverhead(Duration(static_cast<Duration::rep>(m_overheadNs)));
+        m_rates.health.at(at).addReply(trip, wire);
     }
     if (flight.queued.poll) {
         ++m_rates.samples.at(static_cast<std::size_t>(*flight.queued.poll));

@@ -76,16 +76,10 @@ void LinkWorker::open(const OpenOptions& options, quint32 generation)
         m_address = options.port;
         connect(m_transport.get(), &Transport::opened, this, [this] {
             m_isOpen = true;
-            m_engine->opened(clockNow());
+            m_engine->opened(clockNow(), m_transport->adapter());
             schedulePump();
         });
-        connect(m_transport.get(), &Transport::received, this,
-                [this](const QByteArray& bytes, Instant at) {
-                    if (m_engine && m_isOpen) {
-                        m_engine->received(bytes, at);
-                        schedulePump();
-                    }
-                });
+        connect(m_transport.get(), &Transport::received, this, &LinkWorker::onReceived);
         connect(m_transport.get(), &Transport::failed, this, &LinkWorker::onFailed);
     }
     m_engine->setWishes(m_wishes, clockNow());
@@ -104,6 +98,18 @@ void LinkWorker::closeTransport()
     if (std::exchange(m_isOpen, false)) {
         withdrawLastStop();
         m_transport->close();
+    }
+}
+
+void LinkWorker::onReceived(const QByteArray& bytes, Instant at)
+{
+    if (m_engine && m_isOpen && m_flood.isTooMuch(bytes.size(), at)) {
+        onFailed({ErrorCode::Garbage, m_address});
+        // Not from within the transport's own signal.
+        QMetaObject::invokeMethod(m_transport.get(), &Transport::close, Qt::QueuedConnection);
+    } else if (m_engine && m_isOpen) {
+        m_engine->received(bytes, at);
+        schedulePump();
     }
 }
 
@@ -159,6 +165,13 @@ void LinkWorker::powerCycle()
 {
     if (m_transport) {
         m_transport->powerCycle();
+    }
+}
+
+void LinkWorker::resetHealth()
+{
+    if (m_engine) {
+        m_engine->resetHealth(clockNow());
     }
 }
 

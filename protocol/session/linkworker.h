@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/session/floodguard.h"
 #include "protocol/session/linkengine.h"
 #include "protocol/transport/transport.h"
 
@@ -30,6 +31,7 @@ public:
     /// Sends `packets`, waits until they have left (bounded), closes the port.
     void close(const std::vector<Transaction>& packets);
     void powerCycle(); ///< the simulator only
+    void resetHealth();
     /// The façade's gate is open. While it is, a main thread that does not send heartbeats for
     /// kLongestFreeze is taken for frozen: the motors are stopped and frozen() is told.
     void setArmed(bool armed);
@@ -53,6 +55,7 @@ private:
     void send(const LinkEngine::Action& action);
     void openTransport();
     void closeTransport();
+    void onReceived(const QByteArray& bytes, Instant at);
     void onFailed(const Error& error);
     void publish(bool always);
     [[nodiscard]] Instant clockNow() const; ///< the transport's
@@ -64,6 +67,7 @@ private:
     std::unique_ptr<Transport> m_transport;
     QString m_address;
     std::unique_ptr<LinkEngine> m_engine;
+    FloodGuard m_flood;
     LineSettings m_line;
     PollWishes m_wishes{};
     quint32 m_generation = 0;

@@ -7,6 +7,7 @@
 #include "protocol/codec/polltable.h"
 #include "protocol/codec/replies.h"
 #include "protocol/result.h"
+#include "protocol/session/linkhealth.h"
 
 #include <array>
 #include <vector>
@@ -99,6 +100,8 @@ struct LinkBatch {
     std::vector<TransactionRecord> records;
     std::vector<LinkEvent> events;
     LinkStats stats;
+    /// One, four times a second: a vector, since an empty one costs nothing.
+    std::vector<LinkHealth> health;
 };
 
 /// The device number that the controller answers to after this reply: parameter 0x00 acts at once.

@@ -22,6 +22,12 @@ Duration scaled(Duration duration, double factor)
     return Duration(static_cast<Duration::rep>(static_cast<double>(duration.count()) * factor));
 }
 
+/// A socket that listens is for this computer, unless somebody has said otherwise.
+QHostAddress hostOf(const QString& address)
+{
+    return address.isEmpty() ? QHostAddress(QHostAddress::LocalHost) : QHostAddress(address);
+}
+
 } // namespace
 
 SimServer::SimServer(const SimOptions& options, QObject* parent)
@@ -63,18 +69,35 @@ Result<void> SimServer::listenPty(const QString& link)
     return {};
 }
 
-Result<void> SimServer::listenTcp(quint16 port)
+Result<void> SimServer::listenTcp(quint16 port, const QString& address)
 {
+    if (!address.isEmpty() && !isAddress(address)) {
+        return fail(ErrorCode::OutOfRange, address);
+    }
+    m_tcpAddress = address;
     m_tcp = new QTcpServer(this);
     connect(m_tcp, &QTcpServer::newConnection, this, &SimServer::acceptTcp);
-    if (!m_tcp->listen(QHostAddress::LocalHost, port)) {
+    if (!m_tcp->listen(hostOf(m_tcpAddress), port)) {
         return fail(ErrorCode::PortFailed,
                     u"TCP port %1: %2"_s.arg(port).arg(m_tcp->errorString()));
     }
     m_tcpPort = m_tcp->serverPort();
-    const QString address = u"tcp://127.0.0.1:%1"_s.arg(m_tcpPort);
-    QTimer::singleShot(0, this, [this, address] { emit ready(address); });
+    const QHostAddress host = hostOf(m_tcpAddress);
+    const bool isVersion6 = host.protocol() == QAbstractSocket::IPv6Protocol;
+    const QString name =
+        (isVersion6 ? u"tcp://[%1]:%2"_s : u"tcp://%1:%2"_s).arg(host.toString()).arg(m_tcpPort);
+    QTimer::singleShot(0, this, [this, name] { emit ready(name); });
     return {};
+}
+
+bool SimServer::isAddress(const QString& text)
+{
+    return !QHostAddress(text).isNull();
+}
+
+bool SimServer::servesOthers() const
+{
+    return m_tcp != nullptr && !hostOf(m_tcpAddress).isLoopback();
 }
 
 Instant SimServer::virtualNow() const
@@ -214,7 +237,7 @@ void SimServer::followHangUp(Instant now)
         }
         watchPty();
     }
-    if (m_tcp != nullptr && !m_tcp->listen(QHostAddress::LocalHost, m_tcpPort)) {
+    if (m_tcp != nullptr && !m_tcp->listen(hostOf(m_tcpAddress), m_tcpPort)) {
         emit problem({ErrorCode::PortFailed, m_tcp->errorString()});
     }
 }

@@ -32,8 +32,12 @@ public:
     /// Opens a pseudo-terminal with a link of this name; without a name there is no link and
     /// ready() names the device. PortFailed with a sentence.
     [[nodiscard]] Result<void> listenPty(const QString& link);
-    /// On 127.0.0.1; 0 takes a free port. One client at a time, a second is closed at once.
-    [[nodiscard]] Result<void> listenTcp(quint16 port);
+    /// On this computer only unless `address` says otherwise; 0 takes a free port. One client at a
+    /// time, a second is closed at once. OutOfRange: no such address; PortFailed with a sentence.
+    [[nodiscard]] Result<void> listenTcp(quint16 port, const QString& address = {});
+    [[nodiscard]] static bool isAddress(const QString& text); ///< "0.0.0.0", "::1"
+    [[nodiscard]] quint16 tcpPort() const { return m_tcpPort; }
+    [[nodiscard]] bool servesOthers() const; ///< other computers can reach it
     /// The state file that was to be read makes no sense (or cannot be read): say so and give up.
     [[nodiscard]] const std::optional<Error>& stateError() const { return m_line.stateError(); }
 
@@ -42,7 +46,7 @@ public:
     [[nodiscard]] Instant virtualNow() const;
 
 signals:
-    /// What to open: the link, or "tcp://127.0.0.1:PORT". Once a port, from the event loop.
+    /// What to open: the link, or "tcp://ADDRESS:PORT". Once a port, from the event loop.
     void ready(const QString& address);
     /// Something to tell the person: the state file could not be written.
     void problem(const trex::Error& error);
@@ -73,6 +77,7 @@ private:
     std::unique_ptr<QSocketNotifier> m_ptyNotifier;
     QTcpServer* m_tcp = nullptr;
     QTcpSocket* m_client = nullptr;
+    QString m_tcpAddress; ///< empty: this computer only
     quint16 m_tcpPort = 0;
     bool m_isHungUp = false;
     bool m_saveFailed = false;

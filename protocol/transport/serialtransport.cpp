@@ -12,8 +12,11 @@
 #endif
 #ifdef Q_OS_UNIX
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <cerrno>
 #endif
 
 namespace trex {
@@ -36,7 +39,8 @@ std::optional<Error> lookAt(const QString& port)
     const QString path = port.startsWith(u'/') ? port : "/dev/"_L1 + port;
     struct stat information { };
     if (::stat(path.toLocal8Bit().constData(), &information) != 0) {
-        return Error{ErrorCode::PortMissing, port};
+        // A folder on the way that we may not look into hides what is in it.
+        return Error{errno == EACCES ? ErrorCode::PortDenied : ErrorCode::PortMissing, port};
     }
     if (!S_ISCHR(information.st_mode)) {
         return Error{ErrorCode::PortNotSerial, port};
@@ -58,6 +62,13 @@ bool isThere([[maybe_unused]] const QSerialPort& port)
 #else
     return false;
 #endif
+}
+
+/// "/dev/ttyUSB0 (minicom, process 1234)", where the system tells.
+QString withHolder(const QString& port)
+{
+    const QString holder = portHolder(systemName(port));
+    return holder.isEmpty() ? port : u"%1 (%2)"_s.arg(port, holder);
 }
 
 ErrorCode codeOf(QSerialPort::SerialPortError error)
@@ -101,11 +112,17 @@ void SerialTransport::open(const LineSettings& settings)
         const QSerialPort::SerialPortError error = m_port.error();
         const bool notSerial =
             error == QSerialPort::UnknownError || error == QSerialPort::UnsupportedOperationError;
-        emit failed({notSerial ? ErrorCode::PortNotSerial : codeOf(error), m_name});
+        const ErrorCode code = notSerial ? ErrorCode::PortNotSerial : codeOf(error);
+        emit failed({code, code == ErrorCode::PortBusy ? withHolder(m_name) : m_name});
+        return;
+    }
+    if (isTaken()) {
+        m_port.close();
+        emit failed({ErrorCode::PortBusy, withHolder(m_name)});
         return;
     }
     m_isOpen = true;
-    askForLowLatency();
+    noteAdapter(name);
     m_port.clear(); // what came before we were here is nobody's reply
     emit opened();
 }
@@ -123,16 +140,45 @@ bool SerialTransport::setLine(const LineSettings& settings)
     return true;
 }
 
-void SerialTransport::askForLowLatency()
+/// FTDI adapters hold bytes back for 16 ms otherwise. A port that knows nothing of it refuses, and
+/// works all the same; some drivers take the flag and forget it, so that it is read back.
+AdapterFacts::LowLatency SerialTransport::askForLowLatency() const
 {
+    using enum AdapterFacts::LowLatency;
 #ifdef Q_OS_LINUX
-    // FTDI adapters hold bytes back for 16 ms otherwise. A port that knows nothing of it refuses,
-    // and works all the same.
     serial_struct serial{};
-    if (::ioctl(m_port.handle(), TIOCGSERIAL, &serial) == 0) {
-        serial.flags |= ASYNC_LOW_LATENCY;
-        ::ioctl(m_port.handle(), TIOCSSERIAL, &serial);
+    if (::ioctl(m_port.handle(), TIOCGSERIAL, &serial) != 0) {
+        return Unknown;
     }
+    serial.flags |= ASYNC_LOW_LATENCY;
+    if (::ioctl(m_port.handle(), TIOCSSERIAL, &serial) != 0) {
+        return errno == EPERM || errno == EACCES ? Refused : Unknown;
+    }
+    serial = {};
+    const bool isRead = ::ioctl(m_port.handle(), TIOCGSERIAL, &serial) == 0;
+    return isRead && (serial.flags & ASYNC_LOW_LATENCY) != 0 ? Granted : Unknown;
+#else
+    return NotAsked;
+#endif
+}
+
+void SerialTransport::noteAdapter(const QString& path)
+{
+    const AdapterFacts::LowLatency lowLatency = askForLowLatency(); // sets the timer read next
+    m_adapter = readAdapterFacts(path);
+    const bool isPty = m_adapter.kind == AdapterFacts::Kind::PseudoTerminal;
+    m_adapter.lowLatency = isPty ? AdapterFacts::LowLatency::NotAsked : lowLatency;
+}
+
+/// By a program that locks with flock(2), as many do that do not set TIOCEXCL; and the superuser
+/// passes TIOCEXCL. The lock is ours until the port is closed.
+bool SerialTransport::isTaken() const
+{
+#ifdef Q_OS_UNIX
+    return ::flock(static_cast<int>(m_port.handle()), LOCK_EX | LOCK_NB) != 0
+        && errno == EWOULDBLOCK;
+#else
+    return false;
 #endif
 }
 

@@ -21,15 +21,19 @@ public:
     void write(const QByteArray& bytes) override;
     bool waitForBytes(Duration longest) override;
     [[nodiscard]] int descriptor() const override;
+    [[nodiscard]] AdapterFacts adapter() const override { return m_adapter; }
 
 private:
     void onReadyRead();
     void onError(QSerialPort::SerialPortError error);
-    void askForLowLatency();
+    [[nodiscard]] bool isTaken() const;
+    void noteAdapter(const QString& path);
+    [[nodiscard]] AdapterFacts::LowLatency askForLowLatency() const;
 
     QString m_name;
     QSerialPort m_port;
     bool m_isOpen = false;
+    AdapterFacts m_adapter;
     quint64 m_reads = 0; ///< tells waitForBytes() that something came
 };
 

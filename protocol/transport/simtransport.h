@@ -26,6 +26,10 @@ public:
     bool waitForBytes(Duration longest) override;
     [[nodiscard]] Instant now() const override;
     [[nodiscard]] bool isRealTime() const override { return !m_virtualNow; }
+    [[nodiscard]] AdapterFacts adapter() const override
+    {
+        return {.kind = AdapterFacts::Kind::Simulator};
+    }
     bool powerCycle() override;
 
 private:

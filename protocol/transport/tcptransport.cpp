@@ -3,11 +3,29 @@
 
 #include "protocol/transport/laststop.h"
 
+#ifdef Q_OS_LINUX
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#endif
+
 namespace trex {
 
 namespace {
 
 using namespace Qt::Literals::StringLiterals;
+
+constexpr qint64 kMostBuffered = 16 * 1024; ///< what a peer sends at full rate waits at the peer
+
+/// A peer that takes nothing any more (its computer is off, the cable is out) is given up after
+/// kLongestUnheard; the system would hope for a quarter of an hour.
+void limitSilence([[maybe_unused]] int descriptor)
+{
+#ifdef Q_OS_LINUX
+    const auto longest = static_cast<unsigned>(TcpTransport::kLongestUnheard.count());
+    ::setsockopt(descriptor, IPPROTO_TCP, TCP_USER_TIMEOUT, &longest, sizeof longest);
+#endif
+}
 
 } // namespace
 
@@ -15,10 +33,12 @@ TcpTransport::TcpTransport(const QString& host, quint16 port, QObject* parent)
     : Transport(parent), m_host(host), m_port(port), m_socket(this), m_connectTimer(this)
 {
     m_connectTimer.setSingleShot(true);
+    m_socket.setReadBufferSize(kMostBuffered);
     connect(&m_connectTimer, &QTimer::timeout, this, [this] { onGone(ErrorCode::PortMissing); });
     connect(&m_socket, &QTcpSocket::connected, this, [this] {
         m_connectTimer.stop();
         m_socket.setSocketOption(QAbstractSocket::LowDelayOption, 1);
+        limitSilence(static_cast<int>(m_socket.socketDescriptor()));
         m_isOpening = false;
         m_isOpen = true;
         emit opened();

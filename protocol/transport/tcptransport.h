@@ -21,8 +21,15 @@ public:
     void write(const QByteArray& bytes) override;
     bool waitForBytes(Duration longest) override;
     [[nodiscard]] int descriptor() const override;
+    [[nodiscard]] AdapterFacts adapter() const override
+    {
+        return {.kind = AdapterFacts::Kind::Network};
+    }
 
-    static constexpr std::chrono::milliseconds kConnectTimeout{3000};
+    /// Tried again half a second later: a peer that comes back is found within two seconds, since
+    /// the system asks at once and after one second.
+    static constexpr std::chrono::milliseconds kConnectTimeout{2000};
+    static constexpr std::chrono::milliseconds kLongestUnheard{2000};
 
 private:
     void onReadyRead();

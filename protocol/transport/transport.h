@@ -3,6 +3,7 @@
 
 #include "protocol/codec/linesettings.h"
 #include "protocol/result.h"
+#include "protocol/transport/adapterfacts.h"
 
 #include <QByteArray>
 #include <QObject>
@@ -40,6 +41,8 @@ public:
     [[nodiscard]] virtual bool isRealTime() const { return true; }
     /// Of the open line, for what a crashing program can still do; −1: there is none.
     [[nodiscard]] virtual int descriptor() const { return -1; }
+    /// Of the open line: what is known of the adapter, and what it was asked for.
+    [[nodiscard]] virtual AdapterFacts adapter() const { return {}; }
     /// The simulator only: switches the controller off and on again. False: not possible here.
     virtual bool powerCycle() { return false; }
 

@@ -4,6 +4,7 @@
 #include "protocol/storage/recordingreader.h"
 #include "protocol/storage/sessionrecorder.h"
 #include "protocol/telemetry/statuslatch.h"
+#include "tests/support/simwitness.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -56,6 +57,7 @@ private slots:
     void history_goesBefore();
     void clearedStore_losesNothing();
     void restart_makesTwoFiles();
+    void pulledAdapter_leavesAGapAndTheRecordingGoesOn();
     void destruction_finishesFile();
     void unwritable_isToldOnce();
     void flight_freezesOnArmedStop();
@@ -179,6 +181,57 @@ void tst_sessionrecorder::restart_makesTwoFiles()
         QVERIFY(reader.has_value());
         QVERIFY((*reader)->isFinished() && (*reader)->samples(PollId::Currents) > 10);
     }
+}
+
+/// Nothing is invented for the time without a line, nothing before or after it is lost, and nothing
+/// moves when it is back.
+void tst_sessionrecorder::pulledAdapter_leavesAGapAndTheRecordingGoesOn()
+{
+    const QString log = path(u"witness.jsonl"_s);
+    test::SimWitness witness({}, path(u"port"_s), log);
+    QVERIFY(witness.isOk());
+    Bench bench(path(u"port"_s));
+    SessionRecorder recorder(bench.controller, bench.store);
+    QSignalSpy finished(&recorder, &SessionRecorder::finished);
+    QSignalSpy failed(&recorder, &SessionRecorder::failed);
+    recorder.start({.path = path(), .polls = allPolls(), .hasPackets = true});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.samples() > 40, kPatience);
+    QVERIFY(bench.controller.arm().has_value());
+    QVERIFY(bench.controller.driveMotor(MotorId::Motor1, MotorOrder{MotorOrder::Action::Set, 40}));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.samples() > 80, kPatience);
+    QSignalSpy reconnected(&bench.controller, &Controller::reconnected);
+    witness.hangUp(0.8);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.controller.state() != LinkState::Connected, kPatience);
+    const std::size_t lost = bench.samples();
+    QTRY_COMPARE_WITH_TIMEOUT(reconnected.size(), 1, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.samples() > lost + 40, kPatience);
+    QVERIFY(!bench.controller.isArmed());
+    recorder.stop();
+    const std::size_t atStop = bench.samples();
+    QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, kPatience);
+    QVERIFY(failed.isEmpty());
+    witness.end();
+
+    const auto opened = RecordingReader::open(path());
+    QVERIFY(opened.has_value());
+    TelemetryStore back;
+    (*opened)->loadAll(back, Instant(1000s));
+    const TimeSeries& ours = bench.store.series(0);
+    const TimeSeries& theirs = back.series(0);
+    QCOMPARE(theirs.size(), atStop);
+    Duration longest{0};
+    std::size_t place = 0;
+    for (std::size_t i = 1; i < theirs.size(); ++i) {
+        QCOMPARE(theirs.value(i), ours.value(i));
+        const Duration step = theirs.time(i) - theirs.time(i - 1);
+        place = step > longest ? i : place;
+        longest = std::max(longest, step);
+    }
+    QVERIFY(longest > 400ms); // without a line there is nothing
+    QVERIFY(place > 0 && place < theirs.size() - 20);
+    const test::SimRecord record = test::readSimRecord(log);
+    QCOMPARE(record.speeds, (std::array{0, 0, 0}));
+    QVERIFY(record.moved.front());
 }
 
 void tst_sessionrecorder::destruction_finishesFile()

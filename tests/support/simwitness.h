@@ -24,10 +24,18 @@ public:
         start();
         m_started.acquire();
     }
+    /// On TCP, at a free port of this computer; without a log when it has no name.
+    SimWitness(sim::SimOptions options, quint16 tcpPort, QString log)
+        : m_options(std::move(options)), m_log(std::move(log)), m_tcpPort(tcpPort)
+    {
+        start();
+        m_started.acquire();
+    }
     ~SimWitness() override { end(); }
     SimWitness(const SimWitness&) = delete;
     SimWitness& operator=(const SimWitness&) = delete;
     [[nodiscard]] bool isOk() const { return m_server != nullptr; }
+    [[nodiscard]] quint16 tcpPort() const { return m_tcpPort.value_or(0); }
     void setFaults(const sim::Faults& faults) ///< their times count from now
     {
         QMetaObject::invokeMethod(m_server, [server = m_server, faults] {
@@ -54,8 +62,13 @@ protected:
     void run() override
     {
         sim::SimServer server(m_options);
-        if (server.setLogFile(m_log).has_value() && server.listenPty(m_link).has_value()) {
+        const bool isLogged = m_log.isEmpty() || server.setLogFile(m_log).has_value();
+        const auto listening = m_tcpPort ? server.listenTcp(*m_tcpPort) : server.listenPty(m_link);
+        if (isLogged && listening.has_value()) {
             m_server = &server;
+        }
+        if (m_tcpPort) {
+            m_tcpPort = server.tcpPort();
         }
         m_started.release();
         exec();
@@ -65,6 +78,7 @@ private:
     sim::SimOptions m_options;
     QString m_link;
     QString m_log;
+    std::optional<quint16> m_tcpPort; ///< none: a pseudo-terminal
     QSemaphore m_started;
     sim::SimServer* m_server = nullptr; ///< on its own thread
 };

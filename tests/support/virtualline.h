@@ -55,6 +55,9 @@ public:
     {
         LinkBatch batch = engine.takeBatch(now);
         stats = batch.stats;
+        if (!batch.health.empty()) {
+            health = batch.health.back();
+        }
         std::move(batch.samples.begin(), batch.samples.end(), std::back_inserter(samples));
         std::move(batch.outcomes.begin(), batch.outcomes.end(), std::back_inserter(outcomes));
         std::move(batch.events.begin(), batch.events.end(), std::back_inserter(events));
@@ -84,6 +87,7 @@ public:
     std::vector<LinkEvent> events;
     std::vector<TransactionRecord> records;
     LinkStats stats;
+    LinkHealth health; ///< the latest that crossed
 
 private:
     void answer(const QByteArray& packet)

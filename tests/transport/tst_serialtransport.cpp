@@ -2,6 +2,8 @@
 // On a real pseudo-terminal, whose other end the test holds.
 #include "protocol/transport/serialtransport.h"
 
+#include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -9,6 +11,7 @@
 
 #include <fcntl.h>
 #include <stdlib.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 using namespace trex;
@@ -165,11 +168,103 @@ private slots:
         QCOMPARE(first.opened, 1);
         Bench second(pty.name());
         second.transport.open({});
-        if (::geteuid() == 0) {
-            QSKIP("the superuser may open a port that is in use");
-        }
-        QCOMPARE(second.errors.size(), std::size_t{1});
+        QCOMPARE(second.errors.size(), std::size_t{1}); // also for the superuser
         QCOMPARE(second.errors.front().code, ErrorCode::PortBusy);
+        QCOMPARE(second.errors.front().context, pty.name()); // it is us: no other program to name
+        first.transport.close();
+        second.transport.open({});
+        QCOMPARE(second.opened, 1);
+    }
+
+    void portLockedByAnother_isBusy()
+    {
+        Pty pty;
+        const int other = ::open(pty.name().toLocal8Bit().constData(), O_RDWR | O_NOCTTY);
+        QVERIFY(other >= 0);
+        QCOMPARE(::flock(other, LOCK_EX | LOCK_NB), 0);
+        Bench bench(pty.name());
+        bench.transport.open({});
+        QCOMPARE(bench.opened, 0);
+        QCOMPARE(bench.errors.size(), std::size_t{1});
+        QCOMPARE(bench.errors.front().code, ErrorCode::PortBusy);
+        ::close(other);
+        bench.transport.open({});
+        QCOMPARE(bench.opened, 1);
+    }
+
+    void holder_isNamedWhereTheSystemTells()
+    {
+        QTemporaryDir folder;
+        const auto make = [&folder](const QString& process, const QString& name,
+                                    const QString& target) {
+            QVERIFY(QDir(folder.path()).mkpath(process + u"/fd"_s));
+            QFile comm(folder.filePath(process + u"/comm"_s));
+            QVERIFY(comm.open(QIODevice::WriteOnly));
+            comm.write(name.toUtf8() + '\n');
+            QVERIFY(QFile::link(target, folder.filePath(process + u"/fd/7"_s)));
+        };
+        make(u"77"_s, u"bash"_s, u"/dev/pts/0"_s);
+        make(u"4711"_s, u"mini com"_s, u"/dev/ttyUSB9"_s);
+        make(u"self"_s, u"us"_s, u"/dev/ttyUSB9"_s);
+        make(QString::number(QCoreApplication::applicationPid()), u"us"_s, u"/dev/ttyUSB9"_s);
+        QCOMPARE(portHolder(u"/dev/ttyUSB9"_s, folder.path()), u"mini com, process 4711"_s);
+        QVERIFY(portHolder(u"/dev/ttyUSB8"_s, folder.path()).isEmpty());
+        QVERIFY(portHolder(u"/dev/ttyUSB9"_s, folder.filePath(u"none"_s)).isEmpty());
+    }
+
+    void adapter_isReadFromTheSystem()
+    {
+        QTemporaryDir folder;
+        const QString tty = u"class/tty/ttyUSB9/device"_s;
+        const QString usb = u"bus/usb-serial/devices/ttyUSB9"_s;
+        QVERIFY(QDir(folder.path()).mkpath(tty));
+        QVERIFY(QDir(folder.path()).mkpath(usb));
+        QVERIFY(QDir(folder.path()).mkpath(u"drivers/ftdi_sio"_s));
+        QVERIFY(
+            QFile::link(u"../../../../drivers/ftdi_sio"_s, folder.filePath(tty + u"/driver"_s)));
+        AdapterFacts facts = readAdapterFacts(u"/dev/ttyUSB9"_s, folder.path());
+        QCOMPARE(facts.driver, u"ftdi_sio"_s);
+        QCOMPARE(facts.port, u"ttyUSB9"_s);
+        QVERIFY(!facts.latencyTimerMs); // not every driver has one
+        QVERIFY(facts.timerFile.isEmpty());
+        QFile timer(folder.filePath(usb + u"/latency_timer"_s));
+        QVERIFY(timer.open(QIODevice::WriteOnly));
+        timer.write("16\n");
+        timer.close();
+        facts = readAdapterFacts(u"/dev/ttyUSB9"_s, folder.path());
+        QCOMPARE(facts.latencyTimerMs, std::optional(16));
+        QCOMPARE(facts.timerFile, timer.fileName());
+        QVERIFY(timer.open(QIODevice::WriteOnly));
+        timer.write("soon\n");
+        timer.close();
+        QVERIFY(!readAdapterFacts(u"/dev/ttyUSB9"_s, folder.path()).latencyTimerMs);
+        facts = readAdapterFacts(u"/dev/ttyS77"_s, folder.path());
+        QCOMPARE(facts.kind, AdapterFacts::Kind::Serial);
+        QVERIFY(facts.driver.isEmpty());
+    }
+
+    void pty_hasNothingToAskFor()
+    {
+        Pty pty;
+        Bench bench(pty.name());
+        bench.transport.open({});
+        QCOMPARE(bench.transport.adapter().kind, AdapterFacts::Kind::PseudoTerminal);
+        QCOMPARE(bench.transport.adapter().lowLatency, AdapterFacts::LowLatency::NotAsked);
+    }
+
+    void hiddenPort_isDenied() // a folder that we may not look into hides it
+    {
+        if (::geteuid() == 0) {
+            QSKIP("the superuser may look into every folder");
+        }
+        QTemporaryDir folder;
+        QVERIFY(QFile::setPermissions(folder.path(), QFileDevice::Permissions()));
+        Bench bench(folder.filePath(u"port"_s));
+        bench.transport.open({});
+        QFile::setPermissions(folder.path(),
+                              QFileDevice::ReadOwner | QFileDevice::WriteOwner
+                                  | QFileDevice::ExeOwner);
+        QCOMPARE(bench.errors.front().code, ErrorCode::PortDenied);
     }
 
     void hangUp_isALostLine_andAnotherCanBeOpened()

@@ -45,7 +45,8 @@ public:
     }
 
 signals:
-    /// The person wants to go on in another panel; the window brings it forward.
+    /// The person wants to go on in another panel; the window brings it forward. "ID", or
+    /// "ID/NAME" where the control of that object name is to have the focus.
     void panelRequested(const QString& id);
 
 protected:
