@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/linesettingsstore.h"
 #include "tests/widgets/parametersbench.h"
+#include "widgets/parameters/restartline.h"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -29,6 +30,7 @@ private slots:
     void search_hidesTheOthers();
     void outsideSerialMode_nothingCanBeChanged();
     void powerCycle_isAskedForUntilItHappened();
+    void restart_seenTwiceIsOne();
     void silence_isToldAsAPossibleRestart();
     void lostLink_keepsEdits();
     void backupThatFails_stopsTheFirstApply();
@@ -226,6 +228,21 @@ void TestParametersPanel::powerCycle_isAskedForUntilItHappened()
     QVERIFY(bench.part<QLabel>(u"restarted"_s)->isVisible());
     bench.click(u"restarted.dismiss"_s);
     QVERIFY(!bench.part<QLabel>(u"restarted"_s)->isVisible());
+}
+
+void TestParametersPanel::restart_seenTwiceIsOne()
+{
+    RestartLine line(nullptr);
+    const auto* const text = line.findChild<QLabel*>(u"parameters.restarted"_s);
+    line.tell(RestartLine::Kind::Sure, {12, 3}, {u"Motor mode"_s, u"UART settings"_s});
+    line.setReading(RestartLine::Reading::Failed); // the line has other settings now
+    line.tell(RestartLine::Kind::Sure, {12, 4}, {u"UART settings"_s});
+    line.setReading(RestartLine::Reading::Done);
+    QVERIFY2(text->text().endsWith(u"12:04:00. Everything was read again. In force since then: "
+                                   "Motor mode, UART settings."_s),
+             qPrintable(text->text()));
+    line.tell(RestartLine::Kind::Sure, {12, 9}, {});
+    QVERIFY(!text->text().contains(u"Motor mode"_s)); // another one
 }
 
 void TestParametersPanel::silence_isToldAsAPossibleRestart()

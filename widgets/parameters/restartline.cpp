@@ -37,7 +37,7 @@ RestartLine::RestartLine(QWidget* parent)
 void RestartLine::tell(Kind kind, const QTime& at, const QStringList& waited)
 {
     // Seen once more, before all was read again, it is the same one.
-    const bool isSame = std::exchange(m_isShown, true) && m_reading == Reading::Running;
+    const bool isSame = std::exchange(m_isShown, true) && m_reading != Reading::Done;
     m_kind = kind;
     m_at = at;
     m_waited = isSame ? m_waited + waited : waited;
