@@ -244,6 +244,7 @@ Configuration presentConfiguration(const Controller& controller, const DeviceSet
     const auto& device = controller.device();
     if (device.signature) {
         present.signature = device.signature->text();
+        present.firmware = device.signature->firmware();
     }
     for (const auto& row : kParameters) {
         const auto raw = row.isTrigger ? std::nullopt : settings.parameter(row.number);

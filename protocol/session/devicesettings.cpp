@@ -3,6 +3,8 @@
 
 #include "protocol/codec/replies.h"
 
+#include <QCoreApplication>
+
 namespace trex {
 
 namespace {
@@ -31,6 +33,19 @@ DeviceSettings::DeviceSettings(Controller& controller, QObject* parent)
     connect(&controller, &Controller::restarted, this, [this] {
         m_inForce.clear();
         emit forgotten();
+    });
+    // What waited for a power cycle, and is seen to be in force, proves that there was one.
+    connect(this, &DeviceSettings::parameterChanged, this, [this](int number) {
+        const auto which = static_cast<std::uint8_t>(number);
+        const auto before = m_inForce.find(which);
+        const auto stored = parameter(which);
+        if (before != m_inForce.end() && stored && *stored != before->second
+            && evidenceInForce(which) == stored) {
+            m_inForce.clear();
+            m_controller.noteRestart(
+                tr("%1 has its new value in force, which only a power cycle brings about")
+                    .arg(QCoreApplication::translate("Parameters", findParameter(number)->title)));
+        }
     });
 }
 

@@ -162,7 +162,7 @@ void DeviceSettings::sendParameter(const ParameterRow& row, int raw, int from, b
             return;
         }
         if (answer && row.needsReset) {
-            m_inForce.try_emplace(row.number, from);
+            m_inForce.try_emplace(row.number, evidenceInForce(row.number).value_or(from));
         }
         if (answer && !verify) {
             m_parameters.erase(row.number); // answered "done", but not seen
@@ -194,7 +194,7 @@ void DeviceSettings::verifyParameter(const Pending& pending, const std::optional
         }
         if (*now == raw) {
             if (row.needsReset) {
-                m_inForce.try_emplace(row.number, from);
+                m_inForce.try_emplace(row.number, evidenceInForce(row.number).value_or(from));
             }
             conclude(pending, WriteResult::New, *now);
             handler(ParameterWrite{from, raw, true});
@@ -342,7 +342,7 @@ void DeviceSettings::factoryReset(QObject* context, const Handler<void>& unguard
                  if (answer) {
                      conclude(pending, WriteResult::Answered);
                      for (const auto& [known, raw] : m_parameters) {
-                         m_inForce.try_emplace(known, raw);
+                         m_inForce.try_emplace(known, evidenceInForce(known).value_or(raw));
                      }
                      forget(); // what was read before may be old now
                  } else {

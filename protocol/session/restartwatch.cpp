@@ -4,7 +4,7 @@
 #include "protocol/session/controller.h"
 #include "protocol/telemetry/telemetrystore.h"
 
-#include <cstdlib>
+#include <utility>
 
 namespace trex {
 
@@ -12,55 +12,39 @@ RestartWatch::RestartWatch(Controller& controller, const TelemetryStore& store, 
     : QObject(parent), m_controller(controller), m_store(store)
 {
     connect(&controller, &Controller::batchArrived, this, &RestartWatch::look);
+    connect(&controller, &Controller::armedChanged, this, &RestartWatch::wantCurrents);
+    wantCurrents();
 }
 
-bool RestartWatch::isGone(Motor& motor, const MotorOrder& order, int counts, Instant at) const
+RestartWatch::~RestartWatch()
 {
-    if (order != motor.order) {
-        motor = {order, at, false, std::nullopt};
-    }
-    const bool isDriven =
-        order.action != MotorOrder::Action::Brake && std::abs(order.amount) >= kLeastSpeed;
-    if (!isDriven) {
-        return false;
-    }
-    if (counts > 0) {
-        motor.hadCurrent = motor.hadCurrent || counts >= kLeastCounts;
-        motor.goneSince.reset();
-        return false;
-    }
-    if (!motor.hadCurrent) {
-        return false;
-    }
-    if (!motor.goneSince) {
-        motor.goneSince = at;
-    }
-    return at - *motor.goneSince >= kGone;
+    m_controller.wantNothing(this);
+}
+
+void RestartWatch::wantCurrents()
+{
+    m_controller.want(this, PollId::Currents, m_controller.isArmed() ? kHertz : 0.0);
 }
 
 void RestartWatch::look()
 {
-    const quint64 timeouts = m_controller.stats().timeouts;
     const PollSample* sample = m_store.latest(PollId::Currents);
     if (!m_controller.isArmed() || sample == nullptr) {
-        m_motors = {};
-        m_lostReply.reset();
-        m_timeouts = timeouts;
+        m_evidence.forget(m_controller.stats().timeouts);
         return;
     }
-    if (timeouts > std::exchange(m_timeouts, timeouts)) {
-        m_lostReply = sample->time;
+    if (std::exchange(m_last, sample->time) == sample->time) {
+        return; // what was read before says nothing about now
     }
-    for (const MotorId id : {MotorId::Motor1, MotorId::Motor2}) {
-        const auto i = static_cast<std::size_t>(id);
-        const bool gone =
-            isGone(m_motors.at(i), m_controller.sentOrder(id), sample->raw.at(i), sample->time);
-        if (gone && m_lostReply && sample->time - *m_lostReply < kLostReplyCounts) {
-            m_controller.noteRestart(tr("a reply was missing, and motor %1 draws no current any "
-                                        "more although its order stands")
-                                         .arg(i + 1));
-            return;
-        }
+    const auto motor = m_evidence.take(
+        {sample->time,
+         {m_controller.sentOrder(MotorId::Motor1), m_controller.sentOrder(MotorId::Motor2)},
+         {static_cast<int>(sample->raw.at(0)), static_cast<int>(sample->raw.at(1))},
+         m_controller.stats().timeouts});
+    if (motor) {
+        m_controller.noteRestart(tr("a reply was missing, and motor %1 draws no current any "
+                                    "more although its order stands")
+                                     .arg(*motor + 1));
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/codec/command.h"
+#include "protocol/session/restartevidence.h"
 
 #include <QObject>
 
@@ -10,38 +10,27 @@ namespace trex {
 class Controller;
 class TelemetryStore;
 
-/// Notices a controller that was restarted under way, too short for the link to be lost: a reply
-/// failed to come, and a motor that drew current draws none although its order stands. Nothing that
-/// can be asked over the line would tell, and the next order would move a motor that nobody expects
-/// to move. A current that ends without a lost reply proves nothing: a load may drive the motor.
-/// Main thread.
+/// Notices a controller that was restarted under way, too short for the link to be lost: the next
+/// order would move a motor that nobody expects to move. While armed it has the motor currents
+/// read, whether a panel shows them or not. Main thread.
 class RestartWatch : public QObject {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(RestartWatch)
 
 public:
     RestartWatch(Controller& controller, const TelemetryStore& store, QObject* parent = nullptr);
+    ~RestartWatch() override;
 
-    static constexpr int kLeastSpeed = 20; ///< below, the current may be less than one count
-    static constexpr int kLeastCounts = 3;
-    static constexpr std::chrono::milliseconds kGone{250};
-    static constexpr std::chrono::milliseconds kLostReplyCounts{3000};
+    static constexpr double kHertz = 20.0; ///< at least, of the currents
 
 private:
-    struct Motor {
-        MotorOrder order;
-        Instant orderedAt;
-        bool hadCurrent = false; ///< by this order
-        std::optional<Instant> goneSince;
-    };
     void look();
-    [[nodiscard]] bool isGone(Motor& motor, const MotorOrder& order, int counts, Instant at) const;
+    void wantCurrents();
 
     Controller& m_controller;
     const TelemetryStore& m_store;
-    std::array<Motor, 2> m_motors{};
-    quint64 m_timeouts = 0;
-    std::optional<Instant> m_lostReply;
+    RestartEvidence m_evidence;
+    std::optional<Instant> m_last; ///< of the readings taken
 };
 
 } // namespace trex

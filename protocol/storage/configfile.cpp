@@ -118,7 +118,9 @@ QString parametersJson(const Configuration& configuration)
     Members parameters(configuration, u"parameters"_s);
     for (const auto& [number, raw] : configuration.parameters) {
         const auto* const row = findParameter(number);
-        if (row == nullptr || row->isTrigger) {
+        // What a controller gave for a parameter that it does not have (conformance C-59) is no
+        // setting: the file could not be read again.
+        if (row == nullptr || row->isTrigger || !accepts(*row, raw)) {
             continue;
         }
         Members members(configuration, u"parameters."_s + keyText(*row));
@@ -191,6 +193,9 @@ QByteArray writeConfiguration(const Configuration& configuration)
     Members device(configuration, u"device"_s);
     if (!configuration.signature.isEmpty()) {
         device.add(u"signature"_s, jsonText(configuration.signature));
+    }
+    if (!configuration.firmware.isEmpty()) {
+        device.add(u"firmware"_s, jsonText(configuration.firmware));
     }
     if (configuration.deviceNumber) {
         device.add(u"number"_s, QString::number(*configuration.deviceNumber));

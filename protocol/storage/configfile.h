@@ -29,6 +29,7 @@ struct Configuration {
     int version = kVersion; ///< of the file; newer ones are read as far as they are understood
     QDateTime saved; ///< UTC, whole seconds; invalid: not said
     QString signature; ///< as the controller sent it, "TReXJr1.2"; empty: not said
+    QString firmware; ///< "1.2", as the signature says; empty: not said, as in older files
     std::optional<int> deviceNumber;
     ParameterValues parameters;
     std::map<InputKind, std::map<int, Calibration>> calibrations;

@@ -40,6 +40,7 @@ private:
     Result<void> readHead(const Node& root);
     Result<void> readSaved(const Node& root);
     Result<void> readDevice(const Node& root);
+    Result<void> readFirmware(const Node& device);
     Result<void> readParameters(const Node& root);
     Result<void> readParameter(const Node& parameters, const QString& key, const ParameterRow& row);
     Result<void> checkPhysical(const Node& node, const ParameterRow& row, int raw) const;
@@ -168,6 +169,9 @@ Result<void> Reader::readDevice(const Node& root)
                          .arg(tameText(signature.toString())));
     }
     m_configuration.signature = signature.toString();
+    if (auto read = readFirmware(*device); !read) {
+        return read;
+    }
     if (device->object.contains("number"_L1)) {
         const auto number = integer(*device, u"number"_s, 0, 127);
         if (!number) {
@@ -175,7 +179,30 @@ Result<void> Reader::readDevice(const Node& root)
         }
         m_configuration.deviceNumber = *number;
     }
-    return keepOthers(*device, {u"signature"_s, u"number"_s}, Others::MayBeAnything);
+    return keepOthers(*device, {u"signature"_s, u"firmware"_s, u"number"_s}, Others::MayBeAnything);
+}
+
+/// The signature holds it, too: a hand-edited file may say either, but not both otherwise.
+Result<void> Reader::readFirmware(const Node& device)
+{
+    const QJsonValue firmware = device.object.value("firmware"_L1);
+    if (firmware.isUndefined()) {
+        return {};
+    }
+    const QString place = device.at(u"firmware"_s);
+    const QString text = firmware.toString();
+    static const QRegularExpression shape(u"^\\d\\.\\d$"_s);
+    if (!shape.match(text).hasMatch()) {
+        return wrong(place, ConfigFile::tr("must be a text such as \"1.2\""));
+    }
+    const auto signature = parseSignature(m_configuration.signature.toUtf8());
+    if (signature && signature->firmware() != text) {
+        return wrong(place,
+                     ConfigFile::tr("%1 disagrees with the signature, %2")
+                         .arg(tameText(text), m_configuration.signature));
+    }
+    m_configuration.firmware = text;
+    return {};
 }
 
 Result<void> Reader::readParameters(const Node& root)

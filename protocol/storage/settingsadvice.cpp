@@ -139,8 +139,9 @@ void adviseOnLimits(Adviser& adviser, Model model)
         const QString name = QString::number(motor.number);
         if (2 * limit + 1 >= kLargestReading) { // facts.md 2, 0x13: value = 8-bit current / 2
             const double amperes = kLargestReading * amperesPerCount(model);
-            say(Sentences::tr("The current reading of motor %1 is one byte and ends at %2 A: it "
-                              "cannot exceed this limit, which so never acts.")
+            say(Sentences::tr("The current reading of motor %1 is one byte and ends at %2 A, "
+                              "within one step of this limit: it probably never exceeds it, and "
+                              "the limit never acts.")
                     .arg(name, QString::number(amperes, 'f', 2)));
         }
         if (adviser.wanted(kMotorMode) == 1) {

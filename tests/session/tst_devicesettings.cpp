@@ -376,6 +376,44 @@ private slots:
         QVERIFY(bench.settings.isPending(input.number));
     }
 
+    /// Switched off and on while it was disconnected: nobody was there to see it.
+    void whatWaited_andIsInForce_provesARestart() // C-39
+    {
+        Bench bench;
+        bench.open();
+        const ParameterRow& uart = parameterRow("uart-settings");
+        QVERIFY(bench.write(uart, 0x0A).has_value());
+        QVERIFY(bench.write(kMotorMode, 1).has_value());
+        bench.closeAndLook();
+        bench.controller.close();
+        QTRY_COMPARE(bench.controller.state(), LinkState::Disconnected);
+        const QSignalSpy restarted(&bench.controller, &Controller::restarted);
+        bench.options.line.baud = 115200;
+        bench.open();
+        QVERIFY(bench.read(kMotorMode).has_value());
+        QVERIFY(bench.settings.isPending(kMotorMode.number)); // it may be, as yet
+        QCOMPARE(restarted.size(), 0);
+        QVERIFY(bench.read(uart).has_value());
+        QCOMPARE(restarted.size(), 1);
+        QVERIFY(!bench.settings.isPending(kMotorMode.number));
+    }
+
+    void whatWasInForceAllAlong_provesNothing() // C-39
+    {
+        Bench bench(u"param=uart-settings=10"_s, {.baud = 115200});
+        bench.open();
+        const ParameterRow& uart = parameterRow("uart-settings");
+        QVERIFY(bench.write(uart, 0x05).has_value()); // by another program, say
+        DeviceSettings ours(bench.controller);
+        const QSignalSpy restarted(&bench.controller, &Controller::restarted);
+        const auto back = bench.wait<DeviceSettings::ParameterWrite>([&](const auto& handler) {
+            ours.writeParameter(uart, 0x0A, true, &bench.context, handler);
+        });
+        QVERIFY(back.has_value());
+        QCOMPARE(restarted.size(), 0);
+        QVERIFY(!ours.isPending(uart.number));
+    }
+
     void factoryReset_forgetsAndWaitsForThePower() // C-60
     {
         Bench bench;

@@ -30,6 +30,9 @@ Configuration fullConfiguration(int seed)
     Configuration full;
     full.saved = QDateTime::fromSecsSinceEpoch(1'700'000'000 + upTo(1'000'000'000), Qt::UTC);
     full.signature = seed % 3 == 0 ? u"TReX1.2"_s : u"TReXJr1.2"_s;
+    if (seed % 2 == 0) { // older files do not say it
+        full.firmware = u"1.2"_s;
+    }
     full.deviceNumber = upTo(127);
     for (const auto& row : kParameters) {
         int raw = row.minimum + upTo(row.maximum - row.minimum);
@@ -95,6 +98,7 @@ private slots:
     void damagedFile_isRefusedOrUnderstood();
     void newerVersion_isKeptAndTold();
     void previousVersion_isOpened();
+    void unexpectedValue_spoilsNoFile();
     void comments_stayWhereTheyAre();
     void comments_survivePuttingAnotherFileInPlace();
     void whatIsNeitherOursNorComment_isTold();
@@ -236,6 +240,13 @@ void TestConfigFile::malformedFile_isRefusedWithItsPlace_data()
     row("device is a text", head + R"("device":"TReXJr1.2","parameters":{}})", "device");
     row("signature", head + R"("device":{"signature":"Arduino"},"parameters":{}})",
         "device.signature");
+    row("firmware number", head + R"("device":{"firmware":1.2},"parameters":{}})",
+        "device.firmware");
+    row("firmware name", head + R"("device":{"firmware":"newest"},"parameters":{}})",
+        "device.firmware");
+    row("firmware of another",
+        head + R"("device":{"signature":"TReXJr1.2","firmware":"1.1"},"parameters":{}})",
+        "device.firmware");
     row("signature number", head + R"("device":{"signature":1},"parameters":{}})",
         "device.signature");
     row("device 128", head + R"("device":{"number":128},"parameters":{}})", "device.number");
@@ -382,8 +393,18 @@ void TestConfigFile::previousVersion_isOpened()
     QCOMPARE(old->parameters.at(0x13), 30);
     QCOMPARE(old->calibrations.at(InputKind::Rc).at(5), (Calibration{2501, 3751, 5001, 101}));
     QCOMPARE(old->signature, u"TReXJr1.2"_s);
+    QCOMPARE(old->firmware, QString()); // it does not say so, and is not given what it did not say
     QCOMPARE(old->saved, QDateTime({2026, 11, 22}, {14, 0}, Qt::UTC));
     QCOMPARE(remarkOn(*old), QString());
+}
+
+void TestConfigFile::unexpectedValue_spoilsNoFile() // C-59
+{
+    Configuration present;
+    present.parameters = {{0x07, 5}, {0x17, 255}}; // as firmware before 1.2 may answer
+    const auto again = parseConfiguration(writeConfiguration(present), kName);
+    QVERIFY2(again, qPrintable(again ? QString() : again.error().context));
+    QCOMPARE(again->parameters, (ParameterValues{{0x07, 5}}));
 }
 
 void TestConfigFile::comments_stayWhereTheyAre()

@@ -8,6 +8,8 @@
 #include "widgets/common/theme.h"
 
 #include <QElapsedTimer>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTreeWidget>
 
 using namespace Qt::Literals::StringLiterals;
@@ -160,6 +162,14 @@ void TestCalibrationWalks::everyPage_getsItsWorkDone()
         bench.picture(page + u"-2"_s);
         QTRY_VERIFY_WITH_TIMEOUT(isDone(), kLongMs);
         bench.picture(page + u"-done"_s);
+        // As wide as it is in a window of 1440 pixels: nothing is cut, and nothing lies outside.
+        bench.panel.resize(776, 420);
+        QTRY_COMPARE(bench.panel.findChild<QScrollArea*>()->horizontalScrollBar()->maximum(), 0);
+        for (const auto* const mark : bench.panel.findChildren<StateMark*>()) {
+            QVERIFY2(mark->width() >= mark->sizeHint().width(), qPrintable(mark->text()));
+        }
+        bench.picture(page + u"-narrow"_s);
+        bench.panel.resize(1000, 460);
     }
     QTRY_COMPARE(bench.state(1), u"confirmed"_s);
     const QString tried = bench.text(u"1.detail"_s);

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 
 using namespace Qt::Literals::StringLiterals;
@@ -363,12 +364,15 @@ private slots:
         QVERIFY(bench.connectTo(u"sim:"_s));
         auto* box = in<QWidget>(bench.panel, u"lineChange"_s);
         QVERIFY(!box->isVisible());
+        const QSignalSpy forward(&bench.panel, &Panel::panelRequested);
         bool isWritten = false;
         bench.settings.writeParameter(parameterRow("uart-settings"), 10, true, &bench.panel,
                                       [&isWritten](const auto& written) { isWritten = !!written; });
         QTRY_VERIFY(isWritten);
         QTRY_COMPARE(box->property("phase").toString(), u"waiting"_s);
         QVERIFY(box->isVisible());
+        QCOMPARE(forward.size(), 1); // it may stand behind another panel's tab
+        QCOMPARE(forward.first().first().toString(), u"connection"_s);
         const auto* text = in<QLabel>(bench.panel, u"lineChange.text"_s);
         QVERIFY2(text->text().startsWith(u"Waiting for the power cycle"_s),
                  qPrintable(text->text()));
@@ -380,6 +384,7 @@ private slots:
         QCOMPARE(state(bench.panel), u"connected"_s);
         QCOMPARE(in<QComboBox>(bench.panel, u"baud"_s)->currentData().toInt(), 115200);
         QVERIFY(!in<QPushButton>(bench.panel, u"lineChange.cancel"_s)->isVisible());
+        QVERIFY(forward.size() > 1); // so is how it ended
         QVERIFY(bench.log.toText().contains(u"answers with 115200 baud"_s));
     }
 

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QScrollBar>
 #include <QTreeWidget>
 
 using namespace Qt::Literals::StringLiterals;
@@ -38,6 +39,7 @@ private slots:
     void differences_areTakenOrLeft();
     void differences_noneAndAll();
     void fileOfAnotherController_isTold();
+    void dialogs_areAsWideAsTheirColumns();
     void comparison_ofControllerFileAndDefaults();
     void factoryReset_isGuardedSavedAndDone();
     void factoryReset_isNotDoneUnsaved();
@@ -65,6 +67,8 @@ void TestParametersFiles::saveAndLoad_goThroughAFile()
     QTRY_VERIFY(QFile::exists(path));
     auto saved = loadConfiguration(path);
     QVERIFY(saved && isComplete(*saved));
+    QCOMPARE(saved->signature, u"TReXJr1.2"_s);
+    QCOMPARE(saved->firmware, u"1.2"_s);
     saved->parameters[0x07] = 9;
     saved->calibrations[InputKind::Rc][2].deadband = 77;
     QVERIFY(saveConfiguration(*saved, path).has_value());
@@ -169,6 +173,29 @@ void TestParametersFiles::fileOfAnotherController_isTold()
                 .contains(u"(raw 38)"_s));
 }
 
+void TestParametersFiles::dialogs_areAsWideAsTheirColumns()
+{
+    Bench bench;
+    QVERIFY(bench.connectTo(u"sim:"_s));
+    const QString path = fileWith(bench, {{0x7E, 0x1A}}); // the longest text of all
+    const auto isAllSeen = [](const QDialog* dialog) {
+        const auto* const bar = dialog->findChild<QTreeWidget*>()->horizontalScrollBar();
+        return QTest::qWaitFor([bar] { return bar->maximum() == 0; });
+    };
+    bench.dialogs.answerNext(path);
+    bench.click(u"load"_s);
+    QTRY_VERIFY(bench.dialog(u"differences"_s) != nullptr);
+    QVERIFY(isAllSeen(bench.dialog(u"differences"_s)));
+    bench.dialog(u"differences"_s)->close();
+    bench.trigger(u"compare"_s);
+    bench.dialogs.answerNext(path);
+    bench.dialog(u"comparison"_s)
+        ->findChild<QPushButton*>(u"parameters.comparison.rightFile"_s)
+        ->click();
+    QTRY_COMPARE(bench.dialog(u"comparison"_s)->findChild<QTreeWidget*>()->topLevelItemCount(), 2);
+    QVERIFY(isAllSeen(bench.dialog(u"comparison"_s)));
+}
+
 void TestParametersFiles::comparison_ofControllerFileAndDefaults()
 {
     Bench bench;
@@ -181,7 +208,8 @@ void TestParametersFiles::comparison_ofControllerFileAndDefaults()
     QCOMPARE(table->topLevelItemCount(), 1); // against the defaults
     QCOMPARE(table->topLevelItem(0)->text(0), u"serial-timeout"_s);
     QCOMPARE(table->topLevelItem(0)->text(2), u"0.5 s (5)"_s);
-    QCOMPARE(table->topLevelItem(0)->text(3), u"off (0)"_s);
+    QCOMPARE(table->topLevelItem(0)->text(3), u"≈ off (0)"_s); // a guess, and marked so
+    QCOMPARE(summary->text().left(18), u"1 setting differs."_s);
     bench.dialogs.answerNext(fileWith(bench, {{0x0E, 4}}));
     dialog->findChild<QPushButton*>(u"parameters.comparison.rightFile"_s)->click();
     QTRY_COMPARE(table->topLevelItemCount(), 2);
@@ -230,6 +258,12 @@ void TestParametersFiles::factoryReset_isGuardedSavedAndDone()
     bench.controller.powerCycleSimulator();
     QTRY_COMPARE_WITH_TIMEOUT(bench.settings.parameter(0x0E), 0, kLongMs);
     QTRY_COMPARE_WITH_TIMEOUT(bench.editor(u"serial-timeout"_s)->raw(), 0, kLongMs);
+    // The power cycle has been: it is not asked for any more, and where the backup is stays.
+    QVERIFY(!bench.text(u"message"_s).contains(u"Switch its power off and on"_s));
+    QVERIFY(bench.text(u"message"_s).contains(bench.backups().at(0)));
+    bench.controller.noteRestart(u"seen twice"_s);
+    QVERIFY(bench.part<QLabel>(u"message"_s)->isVisible());
+    QVERIFY(!bench.text(u"banner"_s).contains(u"power cycle"_s));
 }
 
 void TestParametersFiles::factoryReset_isNotDoneUnsaved()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/linesettingsstore.h"
 #include "tests/widgets/parametersbench.h"
+#include "widgets/parameters/restartline.h"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -29,6 +30,8 @@ private slots:
     void search_hidesTheOthers();
     void outsideSerialMode_nothingCanBeChanged();
     void powerCycle_isAskedForUntilItHappened();
+    void restart_seenTwiceIsOne();
+    void silence_isToldAsAPossibleRestart();
     void lostLink_keepsEdits();
     void backupThatFails_stopsTheFirstApply();
     void filter_showsWhatItIsFor_data();
@@ -210,9 +213,48 @@ void TestParametersPanel::powerCycle_isAskedForUntilItHappened()
     QTRY_VERIFY(bench.text(u"banner"_s).contains(u"Needs a power cycle"_s));
     QCOMPARE(bench.cell(u"motor-mode"_s, ParameterModel::StateColumn), u"power cycle"_s);
     bench.controller.powerCycleSimulator();
+    bench.controller.noteRestart(u"seen once more"_s);
     QTRY_VERIFY_WITH_TIMEOUT(bench.text(u"banner"_s).isEmpty(), kLongMs);
     QVERIFY(!bench.part<QLabel>(u"message"_s)->isVisible()); // nor by what was said of the write
     QCOMPARE(bench.editor(u"motor-mode"_s)->raw(), 1);
+    // It is told here, until the person has seen it.
+    QVERIFY(bench.part<QLabel>(u"restarted"_s)->isVisible());
+    QTRY_VERIFY(bench.text(u"restarted"_s).contains(u"Everything was read again."_s));
+    QVERIFY2(bench.text(u"restarted"_s).contains(u"The controller was restarted at "_s),
+             qPrintable(bench.text(u"restarted"_s)));
+    QVERIFY(bench.text(u"restarted"_s).endsWith(u"In force since then: Motor mode."_s));
+    bench.click(u"reload"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.text(u"banner"_s).isEmpty(), kLongMs);
+    QVERIFY(bench.part<QLabel>(u"restarted"_s)->isVisible());
+    bench.click(u"restarted.dismiss"_s);
+    QVERIFY(!bench.part<QLabel>(u"restarted"_s)->isVisible());
+}
+
+void TestParametersPanel::restart_seenTwiceIsOne()
+{
+    RestartLine line(nullptr);
+    const auto* const text = line.findChild<QLabel*>(u"parameters.restarted"_s);
+    line.tell(RestartLine::Kind::Sure, {12, 3}, {u"Motor mode"_s, u"UART settings"_s});
+    line.setReading(RestartLine::Reading::Failed); // the line has other settings now
+    line.tell(RestartLine::Kind::Sure, {12, 4}, {u"UART settings"_s});
+    line.setReading(RestartLine::Reading::Done);
+    QVERIFY2(text->text().endsWith(u"12:04:00. Everything was read again. In force since then: "
+                                   "Motor mode, UART settings."_s),
+             qPrintable(text->text()));
+    line.tell(RestartLine::Kind::Sure, {12, 9}, {});
+    QVERIFY(!text->text().contains(u"Motor mode"_s)); // another one
+}
+
+void TestParametersPanel::silence_isToldAsAPossibleRestart()
+{
+    Bench bench;
+    QVERIFY(bench.connectTo(u"sim:?fault=silent-after=2&fault=silent-for=1.5"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.text(u"restarted"_s).contains(u"Everything was read again."_s),
+                             kLongMs);
+    QVERIFY(bench.text(u"restarted"_s).contains(u"it may have been restarted"_s));
+    QVERIFY(!bench.text(u"restarted"_s).contains(u"was restarted"_s));
+    bench.controller.close();
+    QTRY_VERIFY(!bench.part<QLabel>(u"restarted"_s)->isVisible());
 }
 
 void TestParametersPanel::lostLink_keepsEdits()

@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -82,13 +83,14 @@ CalibrationRow::CalibrationRow(int channel, QGridLayout* grid, int line, QWidget
     , m_reverse(named(new QCheckBox(tr("Reverse"), parent),
                       u"calibration.%1.reversed"_s.arg(channel),
                       tr("Reverse channel %1").arg(channel)))
-    , m_again(named(new QPushButton(tr("Again"), parent), u"calibration.%1.again"_s.arg(channel),
+    , m_again(named(new QPushButton(theme::icon(u"refresh"_s), {}, parent),
+                    u"calibration.%1.again"_s.arg(channel),
                     tr("Find the direction of channel %1 again").arg(channel)))
     , m_detail(named(new QLabel(parent), u"calibration.%1.detail"_s.arg(channel),
                      tr("Details of channel %1").arg(channel)))
 {
     m_bar->setRemappedShown(false);
-    m_bar->setMinimumWidth(120);
+    m_bar->setMinimumWidth(100);
     m_bar->setFixedHeight(kBarHeight);
     m_detail->setTextFormat(Qt::PlainText);
     m_detail->setWordWrap(true);
@@ -99,14 +101,18 @@ CalibrationRow::CalibrationRow(int channel, QGridLayout* grid, int line, QWidget
     state->setSpacing(0);
     state->addStretch(1);
     state->addWidget(m_state);
-    state->addWidget(m_reverse);
+    auto* direction = new QHBoxLayout; // side by side: there is no room for a column of its own
+    direction->setSpacing(4);
+    direction->addWidget(m_reverse, 1);
+    direction->addWidget(m_again);
+    state->addLayout(direction);
     state->addStretch(1);
-    grid->addLayout(state, line, kColumns - 3);
-    grid->addWidget(m_again, line, kColumns - 2);
+    grid->addLayout(state, line, kColumns - 2);
     grid->addWidget(m_detail, line, kColumns - 1);
     m_reverse->setToolTip(
         tr("Parameter 0x03: forward and reverse change places on this channel. Only its own bit "
            "is written."));
+    m_again->setFixedSize(26, 22);
     m_again->setToolTip(tr("Push this channel forward once more."));
     connect(m_use, &QCheckBox::toggled, this,
             [this](bool use) { emit useToggled(m_channel, use); });
@@ -163,7 +169,7 @@ void CalibrationRow::applyStep(const ChannelCalibration& calibration)
     const int digit = m_detail->fontMetrics().averageCharWidth();
     m_detail->setMinimumWidth(digit * kDetailWidth);
     showDirection(calibration);
-    m_state->setMinimumWidth(digit * kStateWidth);
+    m_state->setLeastWidth(digit * kStateWidth);
     if (isNumbers) {
         showNumbers(calibration);
     }

@@ -24,7 +24,7 @@ class CalibrationRow : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr int kColumns = 9; ///< use, bar, four numbers, state, again, detail
+    static constexpr int kColumns = 8; ///< use, bar, four numbers, state, detail
     static constexpr int kFirstNumber = 2;
 
     /// Places its widgets in row `line` of the grid; the widgets are children of `parent`.

@@ -3,6 +3,9 @@
 
 #include <QPainter>
 
+#include <algorithm>
+#include <utility>
+
 namespace trex {
 namespace {
 
@@ -28,10 +31,17 @@ void StateMark::setState(StateShape shape, const QString& text)
     update();
 }
 
+void StateMark::setLeastWidth(int width)
+{
+    if (std::exchange(m_least, width) != width) {
+        updateGeometry();
+    }
+}
+
 QSize StateMark::sizeHint() const
 {
     const QFontMetrics metrics = fontMetrics();
-    return {kShape + kGap + metrics.horizontalAdvance(m_text) + 2,
+    return {std::max(m_least, kShape + kGap + metrics.horizontalAdvance(m_text) + 2),
             std::max(kShape, metrics.height()) + 2};
 }
 

@@ -14,6 +14,8 @@ class StateMark : public QWidget {
 
 public:
     explicit StateMark(QWidget* parent = nullptr);
+    /// So that nothing jumps while words change. (A minimum width would cut longer ones.)
+    void setLeastWidth(int width);
     void setState(StateShape shape, const QString& text);
     [[nodiscard]] QString text() const { return m_text; }
     [[nodiscard]] QSize sizeHint() const override;
@@ -23,6 +25,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    int m_least = 0;
     StateShape m_shape = StateShape::Off;
     QString m_text;
 };

@@ -54,7 +54,7 @@ ConnectionPanel::ConnectionPanel(PanelContext& context, QWidget* parent)
     m_advice->setWordWrap(true);
     m_advice->setTextFormat(Qt::PlainText);
     m_advice->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    layout->addWidget(new LineChangeBox(m_change, page));
+    layout->addWidget(new LineChangeBox(m_change, *this, page));
     layout->addWidget(m_advice);
     layout->addWidget(m_line);
     layout->addStretch(1);

@@ -7,14 +7,18 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+
+#include <utility>
 
 namespace trex {
 
 using namespace Qt::Literals::StringLiterals;
 
-LineChangeBox::LineChangeBox(LineChange& change, QWidget* parent)
+LineChangeBox::LineChangeBox(LineChange& change, Panel& panel, QWidget* parent)
     : QWidget(parent)
     , m_change(change)
+    , m_panel(panel)
     , m_text(named(new QLabel(this), u"connection.lineChange.text"_s,
                    tr("Change of the line settings")))
     , m_reconnect(named(new QPushButton(theme::icon(u"connect"_s), tr("Reconnect &now"), this),
@@ -75,6 +79,27 @@ void LineChangeBox::refresh()
     m_recover->setVisible(isWaiting || phase == LineChange::Phase::Reconnecting);
     m_cancel->setVisible(phase != LineChange::Phase::None);
     setVisible(!m_change.text().isEmpty());
+    if (std::exchange(m_shown, phase) != phase && !m_change.text().isEmpty()) {
+        bringForward();
+    }
+}
+
+/// What is said here asks for something to be done, or is its end: it must not stay behind another
+/// panel's tab, or below the edge.
+void LineChangeBox::bringForward()
+{
+    emit m_panel.panelRequested(u"connection"_s);
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            for (QWidget* each = parentWidget(); each != nullptr; each = each->parentWidget()) {
+                if (auto* const area = qobject_cast<QScrollArea*>(each)) {
+                    area->ensureWidgetVisible(this);
+                    return;
+                }
+            }
+        },
+        Qt::QueuedConnection); // when it has its place
 }
 
 } // namespace trex

@@ -23,7 +23,7 @@ QComboBox* ChoiceField::newBox(QWidget* parent)
     auto* const box = new FittingBox(parent);
     box->setPlaceholderText(u"–"_s);
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    constexpr int kWidest = 210;
+    constexpr int kWidest = 250;
     box->setMaximumWidth(kWidest);
     return box;
 }

@@ -14,10 +14,13 @@
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
+
+#include <algorithm>
 
 using namespace Qt::Literals::StringLiterals;
 
@@ -144,7 +147,11 @@ void CompareDialog::refresh()
         left = withoutCalibrations(left);
         right = withoutCalibrations(right);
     }
-    m_settings = compare(left, right, m_context.controller.model());
+    const auto originOf = [&isDefaults](const Side& side) {
+        return isDefaults(side) ? SettingsOrigin::Factory : SettingsOrigin::Held;
+    };
+    m_settings =
+        compare(left, right, m_context.controller.model(), originOf(m_left), originOf(m_right));
     m_table->clear();
     m_table->setHeaderLabels(
         {tr("Key"), tr("Setting"), m_left.source->currentText(), m_right.source->currentText()});
@@ -154,16 +161,22 @@ void CompareDialog::refresh()
         item->setForeground(0, theme::colour(ColourRole::DimText));
     }
     for (int column = 0; column < m_table->columnCount(); ++column) {
+        constexpr int kGap = 16;
         m_table->resizeColumnToContents(column);
+        m_table->setColumnWidth(column, m_table->columnWidth(column) + kGap);
     }
+    constexpr int kAround = 48; // margins, and a scroll bar
+    constexpr int kWidest = 1100;
+    resize(std::max(width(), std::min(m_table->header()->length() + kAround, kWidest)), height());
     const bool isUnread = left.parameters.empty() || right.parameters.empty();
-    QString summary = isUnread ? tr("The controller's settings are not read: connect first.")
-        : m_settings.empty()   ? tr("No differences.")
-                               : tr("%1 settings differ.").arg(m_settings.size());
+    QString summary = isUnread   ? tr("The controller's settings are not read: connect first.")
+        : m_settings.empty()     ? tr("No differences.")
+        : m_settings.size() == 1 ? tr("1 setting differs.")
+                                 : tr("%1 settings differ.").arg(m_settings.size());
     if (hasNoCalibrations && !isUnread) {
         summary += u' '
-            + tr("Calibrations are left out: their defaults are not known. Defaults marked ≈ in "
-                 "the table of parameters are guesses.");
+            + tr("Calibrations are left out: their defaults are not known. Defaults marked ≈ are "
+                 "guesses: the vendor does not state them.");
     }
     m_summary->setText(summary);
     theme::setTextColour(*m_summary, ColourRole::Text);

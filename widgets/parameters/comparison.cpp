@@ -27,13 +27,17 @@ std::optional<Calibration> calibrationIn(const Configuration& configuration, Inp
     return set ? valueIn(*set, channel) : std::nullopt;
 }
 
-QString parameterIn(const Configuration& configuration, const ParameterRow& row, Model model)
+QString parameterIn(const Configuration& configuration, SettingsOrigin origin,
+                    const ParameterRow& row, Model model)
 {
     ValueContext context{model, {}};
     if (const auto* const maximum = pwmMaximumFor(row)) {
         context.pwmMaximum = valueIn(configuration.parameters, maximum->number);
     }
     const auto raw = valueIn(configuration.parameters, row.number);
+    if (raw && origin == SettingsOrigin::Factory) {
+        return defaultText(row, context);
+    }
     return raw ? valueWithRaw(row, *raw, context) : QString(kAbsent);
 }
 
@@ -48,7 +52,8 @@ QString calibrationText(const Calibration& calibration)
 }
 
 std::vector<ComparedSetting> compare(const Configuration& left, const Configuration& right,
-                                     Model model)
+                                     Model model, SettingsOrigin leftOrigin,
+                                     SettingsOrigin rightOrigin)
 {
     std::vector<ComparedSetting> settings;
     for (const auto& row : kParameters) {
@@ -56,7 +61,8 @@ std::vector<ComparedSetting> compare(const Configuration& left, const Configurat
             continue;
         }
         settings.push_back({keyText(row), QCoreApplication::translate("Parameters", row.title),
-                            parameterIn(left, row, model), parameterIn(right, row, model)});
+                            parameterIn(left, leftOrigin, row, model),
+                            parameterIn(right, rightOrigin, row, model)});
     }
     for (const auto input : {InputKind::Rc, InputKind::Analog}) {
         for (int channel = 1; channel <= kChannelCount; ++channel) {

@@ -14,10 +14,18 @@ struct ComparedSetting {
     bool operator==(const ComparedSetting&) const = default;
 };
 
+/// Where a side of a comparison comes from.
+enum class SettingsOrigin : std::uint8_t {
+    Held, ///< by a controller or a file
+    Factory ///< stated by our table, which marks with ≈ what is a guess
+};
+
 /// Every setting that differs: parameters by number, then calibrations. `model` is whose current
 /// steps amperes are counted in.
-[[nodiscard]] std::vector<ComparedSetting> compare(const Configuration& left,
-                                                   const Configuration& right, Model model);
+[[nodiscard]] std::vector<ComparedSetting>
+compare(const Configuration& left, const Configuration& right, Model model,
+        SettingsOrigin leftOrigin = SettingsOrigin::Held,
+        SettingsOrigin rightOrigin = SettingsOrigin::Held);
 /// One line a setting, columns by tabs, a heading first.
 [[nodiscard]] QString comparisonText(const std::vector<ComparedSetting>& settings,
                                      const QString& leftName, const QString& rightName);

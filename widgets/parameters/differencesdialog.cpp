@@ -9,6 +9,7 @@
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
@@ -94,7 +95,8 @@ DifferencesDialog::DifferencesDialog(Controller& controller, const QString& file
     }
     layout->addWidget(m_count);
     layout->addWidget(buttons);
-    resize(720, 440);
+    constexpr int kAround = 48; // margins, and a scroll bar
+    resize(std::clamp(table->header()->length() + kAround, 720, 1100), 440);
     connect(all, &QPushButton::clicked, this, [this] { takeAll(true); });
     connect(none, &QPushButton::clicked, this, [this] { takeAll(false); });
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

@@ -50,6 +50,7 @@ public:
     [[nodiscard]] ValueContext context(const ParameterRow& row) const;
     [[nodiscard]] ValueContext deviceContext(const ParameterRow& row) const; ///< as read
     [[nodiscard]] Model controllerModel() const { return m_controllerModel; }
+    [[nodiscard]] const std::set<std::uint8_t>& pending() const { return m_pending; }
     [[nodiscard]] const ParameterValues& edits() const { return m_edits; }
     [[nodiscard]] ParameterValues
     wanted() const; ///< the controller's values with the edits in them

@@ -238,6 +238,10 @@ void ParametersPanel::onFactoryReset(const Result<void>& reset, const QString& b
             "on; then it answers at 19200 baud without error detection, device number 7. The "
             "settings before are saved in %1.")
              .arg(backup));
+    m_afterPowerCycle = tr("All parameters were ordered to be reset before the restart; the table "
+                           "shows what the controller holds now. The settings before are saved in "
+                           "%1.")
+                            .arg(backup);
 }
 
 /// A change of language makes the window anew over the same settings, before the old one is gone:

@@ -6,6 +6,7 @@
 #include "widgets/parameters/comparedialog.h"
 #include "widgets/parameters/parameterspanel.h"
 #include "widgets/parameters/parametertable.h"
+#include "widgets/parameters/restartline.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -93,6 +94,8 @@ void ParametersPanel::buildTools()
     more->setMenu(m_more);
     row->addWidget(more);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    m_restart = new RestartLine(this);
+    layout()->addWidget(m_restart);
     m_banner = newText(u"banner"_s, tr("State of the parameters"), this);
     layout()->addWidget(m_banner);
     connect(m_reload, &QPushButton::clicked, this, &ParametersPanel::readAll);
@@ -130,7 +133,7 @@ void ParametersPanel::buildTable()
     m_help->setTextFormat(Qt::RichText);
     m_help->setContentsMargins(8, 2, 8, 2);
     auto* const area = scrolled(m_help, m_splitter);
-    area->setMinimumSize(200, 64);
+    area->setMinimumSize(200, 64); // four lines
     m_splitter->addWidget(m_table);
     m_splitter->addWidget(area);
     m_splitter->setStretchFactor(0, 1);

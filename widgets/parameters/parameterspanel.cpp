@@ -8,8 +8,10 @@
 #include "widgets/common/theme.h"
 #include "widgets/parameters/parameterhelp.h"
 #include "widgets/parameters/parametertable.h"
+#include "widgets/parameters/restartline.h"
 
 #include <QBoxLayout>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QLabel>
 #include <QProgressBar>
@@ -56,11 +58,7 @@ void ParametersPanel::connectContext()
     connect(&controller, &Controller::deviceChanged, this, &ParametersPanel::refresh);
     connect(&settings, &DeviceSettings::parameterChanged, this, &ParametersPanel::onDeviceValue);
     connect(&settings, &DeviceSettings::forgotten, this, &ParametersPanel::onForgotten);
-    connect(&context().controller, &Controller::restarted, this, [this] {
-        if (!m_isWriting && m_severity == EventLog::Information) {
-            m_message->hide(); // it may ask for the power cycle that has been
-        }
-    });
+    connect(&controller, &Controller::restarted, this, &ParametersPanel::onRestarted);
     connect(&m_transfer, &ConfigTransfer::progressed, this, [this](int done, int total) {
         m_progress->setRange(0, std::max(total, 1));
         m_progress->setValue(done);
@@ -71,9 +69,17 @@ void ParametersPanel::connectContext()
 
 void ParametersPanel::onStateChanged(LinkState state)
 {
+    const bool wasLost =
+        std::exchange(m_isLost, state == LinkState::Lost || state == LinkState::Retrying);
+    m_isBack = wasLost && state == LinkState::Connected;
+    if (m_isBack) { // whether it was restarted is told before anything else happens
+        QMetaObject::invokeMethod(
+            this, [this] { m_isBack = false; }, Qt::QueuedConnection);
+    }
     if (state == LinkState::Connected) {
         readAll();
     } else if (state == LinkState::Disconnected) {
+        m_restart->dismiss(); // it was about another connection
         m_isBackedUp = false; // the next connection may be to another controller
         m_mayGoWithoutBackup = false;
         offerToPutBack({});
@@ -84,6 +90,12 @@ void ParametersPanel::onStateChanged(LinkState state)
 
 void ParametersPanel::onForgotten()
 {
+    if (!m_model.pending().empty()) { // a lost line and then the restart: all is forgotten twice
+        m_waited.clear();
+    }
+    for (const auto number : m_model.pending()) {
+        m_waited << QCoreApplication::translate("Parameters", findParameter(int{number})->title);
+    }
     for (const auto& row : kParameters) {
         if (!row.isTrigger) {
             onDeviceValue(row.number);
@@ -92,6 +104,21 @@ void ParametersPanel::onForgotten()
     refresh();
     if (context().controller.state() == LinkState::Connected && !m_isWriting) {
         readAll();
+    }
+}
+
+/// All is forgotten, and asked for, already.
+void ParametersPanel::onRestarted()
+{
+    m_restart->tell(m_isBack ? RestartLine::Kind::Perhaps : RestartLine::Kind::Sure,
+                    QTime::currentTime(), std::exchange(m_waited, {}));
+    if (const QString after = m_afterPowerCycle; !after.isEmpty()) {
+        if (m_message->text() != after) {
+            tell(EventLog::Information, after);
+            m_afterPowerCycle = after; // a restart may be told twice
+        }
+    } else if (!m_isWriting && m_severity == EventLog::Information) {
+        m_message->hide(); // it may ask for the power cycle that has been
     }
 }
 
@@ -124,6 +151,10 @@ void ParametersPanel::onRead(const Result<Configuration>& read)
         readAll();
         return;
     }
+    if (read) {
+        m_waited.clear(); // what is pending now, the table says
+    }
+    m_restart->setReading(read ? RestartLine::Reading::Done : RestartLine::Reading::Failed);
     if (!read && !isLoss(read.error().code)) { // a loss is the connection's state, told there
         tell(EventLog::Failure, errorText(read.error()));
     } else if (read && std::exchange(m_isInDoubt, false)) {
@@ -140,6 +171,7 @@ void ParametersPanel::tell(int severity, const QString& sentence)
     m_message->setText(severity == EventLog::Information ? sentence : u"▲ "_s + sentence);
     m_message->setVisible(!sentence.isEmpty());
     m_severity = severity;
+    m_afterPowerCycle.clear();
     colourMessage();
     if (!sentence.isEmpty()) {
         context().log.add(severity, sentence);
@@ -191,7 +223,10 @@ void ParametersPanel::resizeEvent(QResizeEvent* event)
     const bool isWide = event->size().width() >= kWideEnough;
     m_splitter->setOrientation(isWide ? Qt::Horizontal : Qt::Vertical);
     const int room = isWide ? m_splitter->width() : m_splitter->height();
-    const int help = isWide ? 260 : 66;
+    constexpr int kHelpLines = 5;
+    const int lines = kHelpLines * m_help->fontMetrics().lineSpacing()
+        + m_help->contentsMargins().top() + m_help->contentsMargins().bottom();
+    const int help = isWide ? 260 : std::clamp(room / 3, 66, lines);
     m_splitter->setSizes({std::max(room - help, 1), help});
     fitPending();
     Panel::resizeEvent(event);

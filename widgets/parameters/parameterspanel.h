@@ -21,6 +21,7 @@ class QSplitter;
 namespace trex {
 
 class ParameterTable;
+class RestartLine;
 
 /// Every configuration parameter, read when connected, edited here, written when asked: only what
 /// differs, each read back; at the first failure it stops, and what was written can be put back.
@@ -48,6 +49,7 @@ private:
 
     void onStateChanged(LinkState state);
     void onForgotten();
+    void onRestarted();
     void onDeviceValue(int number);
     void readAll();
     void onRead(const Result<Configuration>& read);
@@ -99,6 +101,7 @@ private:
     QPushButton* m_defaults;
     QPushButton* m_load;
     QPushButton* m_save;
+    RestartLine* m_restart;
     QLabel* m_banner;
     QLabel* m_message;
     QSplitter* m_splitter;
@@ -113,6 +116,10 @@ private:
     QPushButton* m_revert;
     QPushButton* m_apply;
     int m_severity = 0; ///< of the message
+    QString m_afterPowerCycle; ///< what to tell then, when the message asks for one; else empty
+    QStringList m_waited; ///< titles of what waited for a power cycle, when all was forgotten last
+    bool m_isLost = false;
+    bool m_isBack = false; ///< just now, after the line was lost
     bool m_isWriting = false;
     bool m_isBackedUp = false; ///< in this connection
     bool m_mayGoWithoutBackup = false; ///< the person was told and asks again

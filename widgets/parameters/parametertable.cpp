@@ -4,6 +4,7 @@
 #include "protocol/errortext.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
+#include "widgets/parameters/parametersign.h"
 
 #include <QApplication>
 #include <QHeaderView>
@@ -158,7 +159,12 @@ void ParameterTable::measure()
     const int letter = fontMetrics().averageCharWidth();
     const int sign = 2 * letter + 8;
     const int value = wide(tr("channels 1, 2, 3 (00)"));
-    const int title = widest(ParameterModel::TitleColumn) + sign;
+    int title = 0; // edited ones are bold
+    for (const auto& row : kParameters) {
+        const auto text = m_model.indexOf(row.number).data().toString();
+        title = std::max(title, QFontMetrics(boldFont()).horizontalAdvance(text) + kMargins);
+    }
+    title += sign;
     const int sure = widest(ParameterModel::SourceColumn);
     m_needs = {{ParameterModel::TitleColumn, {std::min(title, 22 * letter + sign), title}},
                {ParameterModel::StateColumn, {wide(tr("power cycle")), wide(tr("power cycle"))}},

@@ -51,9 +51,10 @@ QString writePreview(const TransferPlan& plan, const ParameterModel& model,
             advice << u"▲ "_s + remark;
         }
     }
-    const QString notes = advice.isEmpty()
-        ? QString()
-        : u' ' + WritePreview::tr("(▲ %1 notes below)").arg(advice.size());
+    const QString notes = advice.isEmpty() ? QString()
+                                           : u' '
+            + (advice.size() == 1 ? WritePreview::tr("(▲ 1 note below)")
+                                  : WritePreview::tr("(▲ %1 notes below)").arg(advice.size()));
     QStringList lines{changes.size() == 1
                           ? WritePreview::tr("Will be written: %1").arg(changes.first())
                           : WritePreview::tr("Will be written, %1 settings%2:")
