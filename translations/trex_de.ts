@@ -44,10 +44,6 @@
         <translation>%1 ms sind nicht länger, als dieses Programm auf eine Antwort wartet (%2 ms): Eine verlorene Antwort kann die Motoren anhalten.</translation>
     </message>
     <message>
-        <source>The current reading of motor %1 is one byte and ends at %2 A: it cannot exceed this limit, which so never acts.</source>
-        <translation>Der Strommesswert von Motor %1 ist ein Byte und endet bei %2 A: Er kann diese Grenze nicht überschreiten, die somit nie wirkt.</translation>
-    </message>
-    <message>
         <source>In joint mode no current is measured: the limit of motor %1 cannot act.</source>
         <translation>Im gemeinsamen Modus wird kein Strom gemessen: Die Stromgrenze von Motor %1 kann nicht wirken.</translation>
     </message>
@@ -74,6 +70,10 @@
     <message>
         <source>Stored is 0x%1, used is 0x%2: the top bit is always 1 and not stored. With CRC-7, connect with polynomial 0x%2 after the power cycle, or nothing answers.</source>
         <translation>Gespeichert ist 0x%1, verwendet wird 0x%2: Das oberste Bit ist immer 1 und wird nicht gespeichert. Bei CRC-7 nach dem Aus- und Einschalten mit Polynom 0x%2 verbinden, sonst antwortet nichts.</translation>
+    </message>
+    <message>
+        <source>The current reading of motor %1 is one byte and ends at %2 A, within one step of this limit: it probably never exceeds it, and the limit never acts.</source>
+        <translation>Der Strommesswert von Motor %1 ist ein Byte und endet bei %2 A, innerhalb eines Schritts dieser Grenze: Er überschreitet sie wahrscheinlich nie, und die Grenze wirkt nie.</translation>
     </message>
 </context>
 <context>
@@ -2268,10 +2268,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <translation>an einem Pseudoterminal mit diesem Link darauf bereitstellen (Standard, ohne Link)</translation>
     </message>
     <message>
-        <source>serve on 127.0.0.1:PORT; 0 takes a free one</source>
-        <translation>an 127.0.0.1:PORT bereitstellen; 0 nimmt einen freien</translation>
-    </message>
-    <message>
         <source>jr (default) or trex</source>
         <translation>jr (Standard) oder trex</translation>
     </message>
@@ -2318,10 +2314,6 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     <message>
         <source>calibration-bytes=8, null-command=error, unknown-parameter=ff, serial-timeout=off, safe-start=on, motor-reply=ff, invalid-after=150</source>
         <translation>calibration-bytes=8, null-command=error, unknown-parameter=ff, serial-timeout=off, safe-start=on, motor-reply=ff, invalid-after=150</translation>
-    </message>
-    <message>
-        <source>drop, corrupt, duplicate (chance a byte), delay (ms), garbage (bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s)</source>
-        <translation>drop, corrupt, duplicate (Wahrscheinlichkeit je Byte), delay (ms), garbage (Bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s)</translation>
     </message>
     <message>
         <source>channel signals and events (JSON)</source>
@@ -2723,6 +2715,46 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <source>a bench test: steps, ramps, sines on the motors, with limits that stop it</source>
         <translation>eine Prüfung: Sprünge, Rampen, Sinus auf den Motoren, mit Grenzen, die sie anhalten</translation>
     </message>
+    <message>
+        <source>seconds to look at the line, default 5</source>
+        <translation>Sekunden, die die Leitung beobachtet wird; Standard 5</translation>
+    </message>
+    <message>
+        <source>Serial does not control the motors now, and a drive with --duration does not wait for it.</source>
+        <translation>Die serielle Schnittstelle steuert die Motoren jetzt nicht, und eine Fahrt mit --duration wartet nicht darauf.</translation>
+    </message>
+    <message>
+        <source>The drive has ended before its time: %1</source>
+        <translation>Die Fahrt hat vor ihrer Zeit geendet: %1</translation>
+    </message>
+    <message>
+        <source>stop all motors after this many seconds, and when interrupted; without it the motors are left as told</source>
+        <translation>nach so vielen Sekunden und bei einer Unterbrechung alle Motoren anhalten; ohne diese Option bleiben die Motoren, wie befohlen</translation>
+    </message>
+    <message>
+        <source>Interrupted; stop could not be sent: %1</source>
+        <translation>Unterbrochen; der Halt konnte nicht gesendet werden: %1</translation>
+    </message>
+    <message>
+        <source>Listening on %1: whoever reaches this computer can drive this simulated controller. --tcp PORT alone serves this computer only.</source>
+        <translation>Erreichbar unter %1: Wer diesen Rechner erreicht, kann diesen simulierten Controller steuern. --tcp PORT allein bedient nur diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>--tcp %1 (PORT, or ADDRESS:PORT such as 0.0.0.0:4000)</source>
+        <translation>--tcp %1 (PORT oder ADRESSE:PORT, etwa 0.0.0.0:4000)</translation>
+    </message>
+    <message>
+        <source>serve on 127.0.0.1:PORT; 0 takes a free one; ADDRESS:PORT: for other computers, too</source>
+        <translation>an 127.0.0.1:PORT bedienen; 0 nimmt einen freien; ADRESSE:PORT: auch für andere Rechner</translation>
+    </message>
+    <message>
+        <source>drop, corrupt, duplicate (chance a byte), delay (ms), garbage (bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s); drop-sent, corrupt-sent, repeat-sent (chance a byte of the host), unplugged (controllers)</source>
+        <translation>drop, corrupt, duplicate (Wahrscheinlichkeit je Byte), delay (ms), garbage (Bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s); drop-sent, corrupt-sent, repeat-sent (Wahrscheinlichkeit je Byte des Rechners), unplugged (Steuerungen)</translation>
+    </message>
+    <message>
+        <source>how well the line does, and what would help; reading clears the UART error byte</source>
+        <translation>wie gut die Leitung arbeitet und was helfen würde; das Lesen löscht das UART-Fehlerbyte</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -3100,6 +3132,18 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <source>JSON has no comments; write a text under a key of its own, such as &quot;comment&quot;</source>
         <translation>JSON kennt keine Kommentare; einen Text unter einem eigenen Schlüssel schreiben, etwa &quot;comment&quot;</translation>
     </message>
+    <message>
+        <source>must be a text such as &quot;1.2&quot;</source>
+        <translation>muss ein Text wie &quot;1.2&quot; sein</translation>
+    </message>
+    <message>
+        <source>%1 disagrees with the signature, %2</source>
+        <translation>%1 widerspricht der Signatur, %2</translation>
+    </message>
+    <message>
+        <source>there are bytes that are no UTF-8; save it as UTF-8</source>
+        <translation>sie enthält Bytes, die kein UTF-8 sind; als UTF-8 speichern</translation>
+    </message>
 </context>
 <context>
     <name>CsvExport</name>
@@ -3465,6 +3509,14 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
         <source>Use the window of the controller that is connected.</source>
         <translation>Verwenden Sie das Fenster des verbundenen Controllers.</translation>
     </message>
+    <message>
+        <source>process %1</source>
+        <translation>Prozess %1</translation>
+    </message>
+    <message>
+        <source>%1, process %2</source>
+        <translation>%1, Prozess %2</translation>
+    </message>
 </context>
 <context>
     <name>JournalText</name>
@@ -3630,6 +3682,324 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>Not tried: %1, since a question there could be heard as a motor command at another speed; if these are the settings, switch the motor power off and connect with them.</source>
         <translation>Nicht versucht: %1, denn eine Frage dort könnte bei anderer Geschwindigkeit als Motorbefehl verstanden werden; sind dies die Einstellungen, schalten Sie die Motorversorgung aus und verbinden Sie damit.</translation>
+    </message>
+</context>
+<context>
+    <name>LinkAdvice</name>
+    <message>
+        <source>Not connected: there is nothing to judge. What figures there are stem from the time before.</source>
+        <translation>Nicht verbunden: Es gibt nichts zu beurteilen. Vorhandene Zahlen stammen aus der Zeit davor.</translation>
+    </message>
+    <message>
+        <source>Too early to judge: %1 of at least %2 answers so far.</source>
+        <translation>Noch zu früh für ein Urteil: %1 von mindestens %2 Antworten bisher.</translation>
+    </message>
+    <message>
+        <source>Times that the line was lost since the counting began: %1. A loose plug, a controller that browns out or an adapter without power does that: check plugs and supply. The log has the moments.</source>
+        <translation>Verbindungsverluste seit Beginn der Zählung: %1. Ein lockerer Stecker, ein Controller mit Unterspannung oder ein Adapter ohne Versorgung tut das: Prüfen Sie Stecker und Versorgung. Das Protokoll nennt die Zeitpunkte.</translation>
+    </message>
+    <message>
+        <source>Bytes that nobody had asked for came %1 times in the last minute (%2 bytes): another master talks on this line, or a second controller answers (inferred). Take the other master off; give each controller a number of its own and choose the Pololu protocol with that number.</source>
+        <translation>%1-mal kamen in der letzten Minute Bytes, nach denen niemand gefragt hatte (%2 Bytes): Ein anderer Master spricht auf dieser Leitung, oder ein zweiter Controller antwortet mit (erschlossen). Trennen Sie den anderen Master; geben Sie jedem Controller eine eigene Nummer, und wählen Sie das Pololu-Protokoll mit dieser Nummer.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 answers came damaged in the last minute (%3 %). Without CRC-7 a damaged value of the right length goes unnoticed. Set error detection to CRC-7 in the UART settings, apply, and switch the controller off and on; the program follows. Then look for the cause: motor wires beside the cable, a missing ground.</source>
+        <translation>%1 von %2 Antworten kamen in der letzten Minute beschädigt an (%3 %). Ohne CRC-7 bleibt ein beschädigter Wert der richtigen Länge unbemerkt. Stellen Sie die Fehlererkennung in den UART-Einstellungen auf CRC-7, übernehmen Sie sie und schalten Sie den Controller aus und ein; das Programm folgt. Suchen Sie dann die Ursache: Motorkabel neben der Leitung, eine fehlende Masse.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 answers came damaged in the last minute (%3 %); CRC-7 found them, and they were asked for again. Lead the cable away from the motor wires, connect the grounds, or choose a lower baud rate in the UART settings.</source>
+        <translation>%1 von %2 Antworten kamen in der letzten Minute beschädigt an (%3 %); CRC-7 hat sie erkannt, und sie wurden neu erfragt. Führen Sie die Leitung nicht neben den Motorkabeln, verbinden Sie die Massen, oder wählen Sie in den UART-Einstellungen eine niedrigere Baudrate.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 questions got no answer within %3 ms in the last minute (%4 %): bytes are lost on the way, or the controller is off for moments. Check plugs, ground and supply. If answers only come later than that, give a longer reply timeout.</source>
+        <translation>%1 von %2 Anfragen blieben in der letzten Minute %3 ms lang ohne Antwort (%4 %): Bytes gehen unterwegs verloren, oder der Controller ist kurzzeitig aus. Prüfen Sie Stecker, Masse und Versorgung. Kommen die Antworten nur später, verlängern Sie die Antwortfrist.</translation>
+    </message>
+    <message>
+        <source>The controller reported a frame or parity error %1 times in the last minute: noise on the wire to it, or its speed, parity or stop bits are not quite ours.</source>
+        <translation>Der Controller meldete in der letzten Minute %1-mal einen Rahmen- oder Paritätsfehler: Störungen auf der Leitung zu ihm, oder seine Baudrate, Parität oder Stoppbits sind nicht ganz die unseren.</translation>
+    </message>
+    <message>
+        <source>The controller could not take bytes as fast as they came, %1 times in the last minute: set two stop bits or a lower baud rate in the UART settings.</source>
+        <translation>Der Controller konnte Bytes nicht so schnell annehmen, wie sie kamen, %1-mal in der letzten Minute: Stellen Sie in den UART-Einstellungen zwei Stoppbits oder eine niedrigere Baudrate ein.</translation>
+    </message>
+    <message>
+        <source>The controller got packets that it could not read or whose CRC was wrong, %1 times in the last minute: bytes are damaged on the way to it, or another master talks between ours.</source>
+        <translation>Der Controller erhielt Pakete, die er nicht lesen konnte oder deren CRC falsch war, %1-mal in der letzten Minute: Bytes werden auf dem Weg zu ihm beschädigt, oder ein anderer Master spricht dazwischen.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s answers piled up %1 times in the last minute. This program waits for each answer before it asks again: another master asks, too.</source>
+        <translation>Die Antworten des Controllers stauten sich in der letzten Minute %1-mal. Dieses Programm wartet jede Antwort ab, bevor es wieder fragt: Ein anderer Master fragt ebenfalls.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s serial timeout passed %1 times in the last minute: for that long nothing it could read reached it. If the line is otherwise well, give a longer serial timeout.</source>
+        <translation>Die serielle Zeitüberwachung des Controllers lief in der letzten Minute %1-mal ab: So lange erreichte ihn nichts Lesbares. Ist die Leitung sonst in Ordnung, stellen Sie eine längere Zeit ein.</translation>
+    </message>
+    <message>
+        <source>Answers came after the %1 ms that are waited for them, %2 times in the last minute; %3 ms are waited now. Give a reply timeout of at least %3 ms, or find what holds them back: a slow network, a busy computer, a wireless adapter.</source>
+        <translation>Antworten kamen erst nach den %1 ms, die auf sie gewartet wird, %2-mal in der letzten Minute; jetzt wird %3 ms gewartet. Geben Sie eine Antwortfrist von mindestens %3 ms an, oder suchen Sie, was sie aufhält: ein langsames Netz, ein ausgelasteter Rechner, ein Funkadapter.</translation>
+    </message>
+    <message>
+        <source>The adapter gathers bytes for up to %4 ms before it hands them on (its latency timer): half of the answers take more than %1 ms, where the wire needs %2 ms. This program may not set it. The command below sets 1 ms until the adapter is plugged in again; the udev rule 60-trexpanel.rules sets it for good.</source>
+        <translation>Der Adapter sammelt Bytes bis zu %4 ms lang, bevor er sie weitergibt (Latenzzeit): Die Hälfte der Antworten braucht mehr als %1 ms, die Leitung allein %2 ms. Dieses Programm darf sie nicht stellen. Der Befehl unten stellt 1 ms ein, bis der Adapter neu eingesteckt wird; die udev-Regel 60-trexpanel.rules stellt sie dauerhaft.</translation>
+    </message>
+    <message>
+        <source>Half of the answers take more than %1 ms, where the wire needs %2 ms: something holds them back for %3 ms. A USB adapter whose latency timer stands at 16 ms does that (inferred), so does a network or a busy computer: set the timer to 1 ms where the adapter is plugged in.</source>
+        <translation>Die Hälfte der Antworten braucht mehr als %1 ms, die Leitung allein %2 ms: Etwas hält sie %3 ms lang auf. Ein USB-Adapter, dessen Latenzzeit auf 16 ms steht, tut das (erschlossen), ebenso ein Netz oder ein ausgelasteter Rechner: Stellen Sie die Latenzzeit dort auf 1 ms, wo der Adapter eingesteckt ist.</translation>
+    </message>
+    <message>
+        <source>The panels ask for more than %1 baud carry: they get %2 % of their rates, and the wire is busy %3 % of the time. Set %4 baud in the UART settings, apply, and switch the controller off and on; the program follows.</source>
+        <translation>Die Bereiche fragen mehr ab, als %1 Baud tragen: Sie bekommen %2 % ihrer Raten, und die Leitung ist %3 % der Zeit belegt. Stellen Sie in den UART-Einstellungen %4 Baud ein, übernehmen Sie sie und schalten Sie den Controller aus und ein; das Programm folgt.</translation>
+    </message>
+    <message>
+        <source>The panels get %1 % of the rates that they ask for. The wire is busy %2 % of the time, the rest is waiting for the adapter, the controller or a busy computer: no higher baud rate would help much. Close panels that you do not need.</source>
+        <translation>Die Bereiche bekommen %1 % der gewünschten Raten. Die Leitung ist %2 % der Zeit belegt, der Rest ist Warten auf den Adapter, den Controller oder einen ausgelasteten Rechner: Eine höhere Baudrate würde wenig helfen. Schließen Sie Bereiche, die Sie nicht brauchen.</translation>
+    </message>
+    <message>
+        <source>The line echoes what is sent (RS-232 wiring). The echo is recognised and dropped; nothing needs to be done.</source>
+        <translation>Die Leitung gibt Gesendetes als Echo zurück (RS-232-Verkabelung). Das Echo wird erkannt und verworfen; es ist nichts zu tun.</translation>
+    </message>
+    <message>
+        <source>The line is well: %1 answers in the last minute, %2 damaged or missing; half of them within %3 ms, 99 of 100 within %4 ms. The wire alone needs %5 ms.</source>
+        <translation>Die Leitung ist in Ordnung: %1 Antworten in der letzten Minute, %2 beschädigt oder ausgeblieben; die Hälfte innerhalb von %3 ms, 99 von 100 innerhalb von %4 ms. Die Leitung allein braucht %5 ms.</translation>
+    </message>
+    <message>
+        <source>its driver</source>
+        <translation>sein Treiber</translation>
+    </message>
+    <message>
+        <source>The adapter was asked to hand bytes on at once (low latency); %1 does so.</source>
+        <translation>Der Adapter wurde gebeten, Bytes sofort weiterzugeben (niedrige Latenz); %1 tut es.</translation>
+    </message>
+    <message>
+        <source>The adapter was asked to hand bytes on at once (low latency); %1 did not permit it.</source>
+        <translation>Der Adapter wurde gebeten, Bytes sofort weiterzugeben (niedrige Latenz); %1 hat es nicht erlaubt.</translation>
+    </message>
+    <message>
+        <source>The adapter was asked to hand bytes on at once (low latency); %1 does not know of it.</source>
+        <translation>Der Adapter wurde gebeten, Bytes sofort weiterzugeben (niedrige Latenz); %1 kennt das nicht.</translation>
+    </message>
+    <message>
+        <source>Its latency timer stands at %1 ms.</source>
+        <translation>Seine Latenzzeit steht auf %1 ms.</translation>
+    </message>
+</context>
+<context>
+    <name>LinkFigures</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>send buffer</source>
+        <translation>Sendepuffer</translation>
+    </message>
+    <message>
+        <source>read buffer</source>
+        <translation>Empfangspuffer</translation>
+    </message>
+    <message>
+        <source>parity</source>
+        <translation>Parität</translation>
+    </message>
+    <message>
+        <source>overrun</source>
+        <translation>Überlauf</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>CRC</source>
+        <translation>CRC</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>timeout</source>
+        <translation>Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>Answer, half within</source>
+        <translation>Antwort, Hälfte in</translation>
+    </message>
+    <message>
+        <source>Answer, 99 % within</source>
+        <translation>Antwort, 99 % in</translation>
+    </message>
+    <message>
+        <source>Answer, longest</source>
+        <translation>Antwort, längste</translation>
+    </message>
+    <message>
+        <source>Wire alone, half within</source>
+        <translation>Leitung allein, Hälfte in</translation>
+    </message>
+    <message>
+        <source>Transactions</source>
+        <translation>Transaktionen</translation>
+    </message>
+    <message>
+        <source>Transactions a second</source>
+        <translation>Transaktionen je Sekunde</translation>
+    </message>
+    <message>
+        <source>Asked again</source>
+        <translation>Erneut gefragt</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>Keine Antwort</translation>
+    </message>
+    <message>
+        <source>Answer broke off</source>
+        <translation>Antwort abgebrochen</translation>
+    </message>
+    <message>
+        <source>CRC wrong</source>
+        <translation>CRC falsch</translation>
+    </message>
+    <message>
+        <source>Implausible answer</source>
+        <translation>Antwort nicht plausibel</translation>
+    </message>
+    <message>
+        <source>Answer too late</source>
+        <translation>Antwort zu spät</translation>
+    </message>
+    <message>
+        <source>Late bytes dropped</source>
+        <translation>Späte Bytes verworfen</translation>
+    </message>
+    <message>
+        <source>Unasked bytes dropped</source>
+        <translation>Ungefragte Bytes verworfen</translation>
+    </message>
+    <message>
+        <source>Synchronised anew</source>
+        <translation>Neu synchronisiert</translation>
+    </message>
+    <message>
+        <source>Line lost</source>
+        <translation>Leitung verloren</translation>
+    </message>
+    <message>
+        <source>Controller&apos;s UART errors</source>
+        <translation>UART-Fehler des Controllers</translation>
+    </message>
+    <message>
+        <source>network; the line is the serial server&apos;s</source>
+        <translation>Netz; die Leitung gehört dem seriellen Server</translation>
+    </message>
+    <message>
+        <source>simulator in this program</source>
+        <translation>Simulator in diesem Programm</translation>
+    </message>
+    <message>
+        <source>pseudo-terminal</source>
+        <translation>Pseudoterminal</translation>
+    </message>
+    <message>
+        <source>, latency timer %1 ms</source>
+        <translation>, Latenzzeit %1 ms</translation>
+    </message>
+    <message>
+        <source>asked for and granted</source>
+        <translation>erbeten und gewährt</translation>
+    </message>
+    <message>
+        <source>asked for and refused</source>
+        <translation>erbeten und verweigert</translation>
+    </message>
+    <message>
+        <source>asked for; the driver does not know it</source>
+        <translation>erbeten; der Treiber kennt sie nicht</translation>
+    </message>
+    <message>
+        <source>nothing to ask here</source>
+        <translation>hier nichts zu erbitten</translation>
+    </message>
+    <message>
+        <source>CRC-7</source>
+        <translation>CRC-7</translation>
+    </message>
+    <message>
+        <source>even parity</source>
+        <translation>gerade Parität</translation>
+    </message>
+    <message>
+        <source>odd parity</source>
+        <translation>ungerade Parität</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>%1 ms, %2 ms longer since answers came late</source>
+        <translation>%1 ms, und %2 ms länger, da Antworten spät kamen</translation>
+    </message>
+    <message>
+        <source>Bytes a second</source>
+        <translation>Bytes je Sekunde</translation>
+    </message>
+    <message>
+        <source>Wire busy</source>
+        <translation>Leitung belegt</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 baud</source>
+        <translation>%1 Baud</translation>
+    </message>
+    <message>
+        <source>Error detection</source>
+        <translation>Fehlererkennung</translation>
+    </message>
+    <message>
+        <source>Waits for an answer</source>
+        <translation>Wartet auf Antwort</translation>
+    </message>
+    <message>
+        <source>Echo</source>
+        <translation>Echo</translation>
+    </message>
+    <message>
+        <source>yes, dropped</source>
+        <translation>ja, verworfen</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Adapter</source>
+        <translation>Adapter</translation>
+    </message>
+    <message>
+        <source>Low latency</source>
+        <translation>Niedrige Latenz</translation>
+    </message>
+    <message>
+        <source>Rate of %1</source>
+        <translation>Rate: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 Hz</source>
+        <translation>%1 von %2 Hz</translation>
+    </message>
+    <message>
+        <source>Of the last minute, and since the counting began (%1 s):</source>
+        <translation>In der letzten Minute und seit Beginn der Zählung (%1 s):</translation>
     </message>
 </context>
 <context>
@@ -4298,6 +4668,10 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <source>Bench tests</source>
         <translation>Prüfstand</translation>
     </message>
+    <message>
+        <source>Link health</source>
+        <translation>Leitungsgüte</translation>
+    </message>
 </context>
 <context>
     <name>ParameterField</name>
@@ -4401,6 +4775,30 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <source>2 M2</source>
         <translation>2 M2</translation>
     </message>
+    <message>
+        <source>M1</source>
+        <translation>M1</translation>
+    </message>
+    <message>
+        <source>M2</source>
+        <translation>M2</translation>
+    </message>
+    <message>
+        <source>aux</source>
+        <translation>Hilfsm.</translation>
+    </message>
+    <message>
+        <source>flip</source>
+        <translation>Überk.</translation>
+    </message>
+    <message>
+        <source>serial</source>
+        <translation>seriell</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
 </context>
 <context>
     <name>ParameterHelp</name>
@@ -4474,6 +4872,18 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>a guess</source>
         <translation>vermutet</translation>
+    </message>
+    <message>
+        <source>observed</source>
+        <translation>beobachtet</translation>
+    </message>
+    <message>
+        <source>quite sure</source>
+        <translation>recht sicher</translation>
+    </message>
+    <message>
+        <source>unsure</source>
+        <translation>unsicher</translation>
     </message>
 </context>
 <context>
@@ -5138,6 +5548,10 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <source>Will be written, %1 settings%2:</source>
         <translation>Geschrieben werden %1 Einstellungen%2:</translation>
     </message>
+    <message>
+        <source>(▲ 1 note below)</source>
+        <translation>(▲ 1 Hinweis unten)</translation>
+    </message>
 </context>
 <context>
     <name>trex::AboutDialog</name>
@@ -5152,6 +5566,25 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>About and licences</source>
         <translation>Info und Lizenzen</translation>
+    </message>
+</context>
+<context>
+    <name>trex::AdviceList</name>
+    <message>
+        <source>Advice %1</source>
+        <translation>Hinweis %1</translation>
+    </message>
+    <message>
+        <source>Command for the superuser</source>
+        <translation>Befehl für den Systemverwalter</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Zu %1</translation>
     </message>
 </context>
 <context>
@@ -5913,10 +6346,6 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Kanal %1 umkehren</translation>
     </message>
     <message>
-        <source>Again</source>
-        <translation>Nochmals</translation>
-    </message>
-    <message>
         <source>Find the direction of channel %1 again</source>
         <translation>Richtung von Kanal %1 nochmals ermitteln</translation>
     </message>
@@ -6509,8 +6938,12 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>Verschiedene Einstellungen: %1.</translation>
     </message>
     <message>
-        <source>Calibrations are left out: their defaults are not known. Defaults marked ≈ in the table of parameters are guesses.</source>
-        <translation>Kalibrierungen sind ausgelassen: Ihre Standardwerte sind unbekannt. In der Parametertabelle mit ≈ markierte Standardwerte sind vermutet.</translation>
+        <source>1 setting differs.</source>
+        <translation>1 Einstellung unterscheidet sich.</translation>
+    </message>
+    <message>
+        <source>Calibrations are left out: their defaults are not known. Defaults marked ≈ are guesses: the vendor does not state them.</source>
+        <translation>Kalibrierungen fehlen hier: Ihre Standardwerte sind nicht bekannt. Mit ≈ markierte Standardwerte sind Vermutungen: Der Hersteller nennt sie nicht.</translation>
     </message>
 </context>
 <context>
@@ -6988,34 +7421,6 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <translation>%1 s alt</translation>
     </message>
     <message>
-        <source>10 s</source>
-        <translation>10 s</translation>
-    </message>
-    <message>
-        <source>30 s</source>
-        <translation>30 s</translation>
-    </message>
-    <message>
-        <source>1 min</source>
-        <translation>1 min</translation>
-    </message>
-    <message>
-        <source>5 min</source>
-        <translation>5 min</translation>
-    </message>
-    <message>
-        <source>30 min</source>
-        <translation>30 min</translation>
-    </message>
-    <message>
-        <source>1 h</source>
-        <translation>1 h</translation>
-    </message>
-    <message>
-        <source>whole session</source>
-        <translation>gesamte Sitzung</translation>
-    </message>
-    <message>
         <source>Cursors</source>
         <translation>Cursor</translation>
     </message>
@@ -7067,6 +7472,10 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>Stopped and disarmed before a setting is written: without CRC-7 a damaged packet could be heard as a motor order.</source>
         <translation>Vor dem Schreiben einer Einstellung angehalten und gesichert: Ohne CRC-7 könnte ein beschädigtes Paket als Motorbefehl verstanden werden.</translation>
+    </message>
+    <message>
+        <source>%1 has its new value in force, which only a power cycle brings about</source>
+        <translation>Für %1 gilt der neue Wert, was nur Aus- und Einschalten bewirkt</translation>
     </message>
 </context>
 <context>
@@ -7244,6 +7653,57 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>trex::HealthPanel</name>
+    <message>
+        <source>Advice about the line</source>
+        <translation>Hinweise zur Leitung</translation>
+    </message>
+    <message>
+        <source>How long answers took in the last minute</source>
+        <translation>Wie lange Antworten in der letzten Minute brauchten</translation>
+    </message>
+    <message>
+        <source>Count anew</source>
+        <translation>Neu zählen</translation>
+    </message>
+    <message>
+        <source>Count the figures of the line anew</source>
+        <translation>Die Zahlen der Leitung neu zählen</translation>
+    </message>
+    <message>
+        <source>Forgets the figures so far; what is counted begins now.</source>
+        <translation>Vergisst die bisherigen Zahlen; gezählt wird ab jetzt.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy figures and advice as text</source>
+        <translation>Zahlen und Hinweise als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Figures of the line</source>
+        <translation>Zahlen der Leitung</translation>
+    </message>
+    <message>
+        <source>last minute</source>
+        <translation>letzte Minute</translation>
+    </message>
+    <message>
+        <source>Counted since</source>
+        <translation>Gezählt seit</translation>
+    </message>
+    <message>
+        <source>in %1 s</source>
+        <translation>in %1 s</translation>
+    </message>
+    <message>
+        <source>in %1 min</source>
+        <translation>in %1 min</translation>
     </message>
 </context>
 <context>
@@ -7519,6 +7979,49 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>trex::LatencyView</name>
+    <message>
+        <source>How long answers took</source>
+        <translation>Wie lange Antworten brauchten</translation>
+    </message>
+    <message>
+        <source>%1 answers: half within %2 ms, 99 of 100 within %3 ms, the longest %4 ms; the wire alone %5 ms.</source>
+        <translation>%1 Antworten: die Hälfte innerhalb von %2 ms, 99 von 100 innerhalb von %3 ms, die längste %4 ms; die Leitung allein %5 ms.</translation>
+    </message>
+    <message>
+        <source>No answers yet. Connect, and every answer is counted here.</source>
+        <translation>Noch keine Antworten. Sobald eine Verbindung besteht, wird hier jede Antwort gezählt.</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>half within %1 ms</source>
+        <translation>Hälfte in %1 ms</translation>
+    </message>
+    <message>
+        <source>99 % within %1 ms</source>
+        <translation>99 % in %1 ms</translation>
+    </message>
+    <message>
+        <source>longest %1 ms</source>
+        <translation>längste %1 ms</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>wire alone</source>
+        <translation>Leitung allein</translation>
+    </message>
+    <message>
+        <source>%1 to %2 ms: %3 answers; the wire alone: %4</source>
+        <translation>%1 bis %2 ms: %3 Antworten; die Leitung allein: %4</translation>
     </message>
 </context>
 <context>
@@ -8495,6 +8998,10 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <source>edited ▲</source>
         <translation>geändert ▲</translation>
     </message>
+    <message>
+        <source>%1 · in controller: %2 · default: %3</source>
+        <translation>%1 · im Controller: %2 · Standard: %3</translation>
+    </message>
 </context>
 <context>
     <name>trex::ParameterTable</name>
@@ -8507,32 +9014,12 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <translation>Kanäle 1, 2, 3 (00)</translation>
     </message>
     <message>
-        <source>≈ no channel (0)</source>
-        <translation>≈ kein Kanal (0)</translation>
-    </message>
-    <message>
         <source>channels 1 to 5</source>
         <translation>Kanäle 1 bis 5</translation>
     </message>
     <message>
         <source>This controller did not tell its value of this parameter.</source>
         <translation>Dieser Controller hat seinen Wert für diesen Parameter nicht mitgeteilt.</translation>
-    </message>
-    <message>
-        <source>≈ inferred, quite sure</source>
-        <translation>≈ gefolgert, recht sicher</translation>
-    </message>
-    <message>
-        <source>Auxiliary PWM maximum ≈</source>
-        <translation>PWM-Maximum Zusatzmotor ≈</translation>
-    </message>
-    <message>
-        <source>no channel (0)</source>
-        <translation>kein Kanal (0)</translation>
-    </message>
-    <message>
-        <source>≈ off (0)</source>
-        <translation>≈ aus (0)</translation>
     </message>
 </context>
 <context>
@@ -8825,6 +9312,10 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <source>These are the settings as they were read during the recording; they cannot be changed here. Save them to a file, and load that file into a controller.</source>
         <translation>Dies sind die Einstellungen, wie sie während der Aufzeichnung gelesen wurden; hier können sie nicht geändert werden. Sichern Sie sie in eine Datei, und laden Sie diese in einen Controller.</translation>
     </message>
+    <message>
+        <source>All parameters were ordered to be reset before the restart; the table shows what the controller holds now. The settings before are saved in %1.</source>
+        <translation>Vor dem Neustart wurde befohlen, alle Parameter zurückzusetzen; die Tabelle zeigt, was der Controller jetzt enthält. Die vorherigen Einstellungen sind in %1 gesichert.</translation>
+    </message>
 </context>
 <context>
     <name>trex::PlayBar</name>
@@ -8988,34 +9479,6 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>Frozen view %1</source>
         <translation>Eingefrorene Ansicht %1</translation>
-    </message>
-    <message>
-        <source>10 s</source>
-        <translation>10 s</translation>
-    </message>
-    <message>
-        <source>30 s</source>
-        <translation>30 s</translation>
-    </message>
-    <message>
-        <source>1 min</source>
-        <translation>1 min</translation>
-    </message>
-    <message>
-        <source>5 min</source>
-        <translation>5 min</translation>
-    </message>
-    <message>
-        <source>30 min</source>
-        <translation>30 min</translation>
-    </message>
-    <message>
-        <source>1 h</source>
-        <translation>1 h</translation>
-    </message>
-    <message>
-        <source>whole session</source>
-        <translation>ganze Sitzung</translation>
     </message>
     <message>
         <source>View before</source>
@@ -9307,6 +9770,17 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
         <source>Records everything from now on to a file in %1.</source>
         <translation>Zeichnet ab jetzt alles in eine Datei in %1 auf.</translation>
     </message>
+    <message>
+        <source>Le&amp;ngth of the last minutes</source>
+        <translation>Lä&amp;nge der letzten Minuten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minute(s)</source>
+        <translation>
+            <numerusform>%n Minute</numerusform>
+            <numerusform>%n Minuten</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>trex::RecordingFiles</name>
@@ -9518,6 +9992,49 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>≈ parabolic</source>
         <translation>≈ parabolisch</translation>
+    </message>
+</context>
+<context>
+    <name>trex::RestartLine</name>
+    <message>
+        <source>Restart of the controller</source>
+        <translation>Neustart des Controllers</translation>
+    </message>
+    <message>
+        <source>Dis&amp;miss</source>
+        <translation>&amp;Ausblenden</translation>
+    </message>
+    <message>
+        <source>Takes this line away</source>
+        <translation>Nimmt diese Zeile weg</translation>
+    </message>
+    <message>
+        <source>The controller was restarted at %1.</source>
+        <translation>Der Controller wurde um %1 neu gestartet.</translation>
+    </message>
+    <message>
+        <source>The controller was silent and answers again since %1: it may have been restarted.</source>
+        <translation>Der Controller schwieg und antwortet seit %1 wieder: Er wurde vielleicht neu gestartet.</translation>
+    </message>
+    <message>
+        <source>Everything is being read again.</source>
+        <translation>Alles wird neu gelesen.</translation>
+    </message>
+    <message>
+        <source>Everything was read again.</source>
+        <translation>Alles wurde neu gelesen.</translation>
+    </message>
+    <message>
+        <source>Not everything could be read again: press Reload.</source>
+        <translation>Nicht alles ließ sich neu lesen: Drücken Sie „Neu lesen“.</translation>
+    </message>
+    <message>
+        <source>In force since then: %1.</source>
+        <translation>Seitdem in Kraft: %1.</translation>
+    </message>
+    <message>
+        <source>If it was, in force since then: %1.</source>
+        <translation>Wenn ja, gilt seitdem: %1.</translation>
     </message>
 </context>
 <context>
@@ -9905,6 +10422,45 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>Stops all three motors at once (Esc, from anywhere).</source>
         <translation>Hält sofort alle drei Motoren an (Esc, von überall).</translation>
+    </message>
+</context>
+<context>
+    <name>trex::TimeWindowBox</name>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
+    </message>
+    <message>
+        <source>30 s</source>
+        <translation>30 s</translation>
+    </message>
+    <message>
+        <source>1 min</source>
+        <translation>1 min</translation>
+    </message>
+    <message>
+        <source>5 min</source>
+        <translation>5 min</translation>
+    </message>
+    <message>
+        <source>30 min</source>
+        <translation>30 min</translation>
+    </message>
+    <message>
+        <source>1 h</source>
+        <translation>1 h</translation>
+    </message>
+    <message>
+        <source>whole session</source>
+        <translation>gesamte Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>

@@ -66,6 +66,16 @@
     </message>
 </context>
 <context>
+    <name>trex::RecordingActions</name>
+    <message numerus="yes">
+        <source>%n minute(s)</source>
+        <translation>
+            <numerusform>%n minute</numerusform>
+            <numerusform>%n minutes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>trex::RecordingWindow</name>
     <message numerus="yes">
         <source>%n row(s) exported to %1.</source>
