@@ -13,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -27,7 +28,7 @@ using Step = ChannelCalibration::Step;
 constexpr int kBarHeight = 28; // legible from an arm's length
 // So that nothing jumps when words and figures change, in characters.
 constexpr int kStateWidth = 16;
-constexpr int kDetailWidth = 26;
+constexpr int kDetailWidth = 23;
 
 constexpr std::array<QLatin1StringView, 4> kNumberNames{"minimum"_L1, "neutral"_L1, "maximum"_L1,
                                                         "deadband"_L1};
@@ -46,6 +47,13 @@ bool hasNumbers(Step step)
 std::optional<int> usable(std::optional<int> raw)
 {
     return raw && *raw != kInvalidPulse ? raw : std::nullopt;
+}
+
+/// A figure and its unit stay on one line.
+QString withItsUnits(QString text)
+{
+    static const QRegularExpression gap(u"(?<=\\d) (?=(µs|ms|V|%)(\\W|$))"_s);
+    return text.replace(gap, QString(QChar::Nbsp));
 }
 
 void setColour(QWidget* widget, ColourRole role)
@@ -262,7 +270,7 @@ void CalibrationRow::refresh(const ChannelCalibration& calibration, std::optiona
     }
     m_state->setState(state.shape, state.word);
     m_state->setToolTip(state.figures);
-    m_detail->setText(state.detail);
+    m_detail->setText(withItsUnits(state.detail));
     m_detail->setToolTip(state.figures);
 }
 
