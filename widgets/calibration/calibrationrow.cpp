@@ -28,7 +28,8 @@ using Step = ChannelCalibration::Step;
 constexpr int kBarHeight = 28; // legible from an arm's length
 // So that nothing jumps when words and figures change, in characters.
 constexpr int kStateWidth = 16;
-constexpr int kDetailWidth = 23;
+constexpr int kDetailWidth = 26;
+constexpr int kDirectionDetailWidth = 22; // beside a box and a button
 
 constexpr std::array<QLatin1StringView, 4> kNumberNames{"minimum"_L1, "neutral"_L1, "maximum"_L1,
                                                         "deadband"_L1};
@@ -52,7 +53,7 @@ std::optional<int> usable(std::optional<int> raw)
 /// A figure and its unit stay on one line.
 QString withItsUnits(QString text)
 {
-    static const QRegularExpression gap(u"(?<=\\d) (?=(µs|ms|V|%)(\\W|$))"_s);
+    static const QRegularExpression gap(u"(?<=\\d) (?=(µs|ms|V|%)(\\W|$))|(?<=σ) "_s);
     return text.replace(gap, QString(QChar::Nbsp));
 }
 
@@ -98,7 +99,6 @@ CalibrationRow::CalibrationRow(int channel, QGridLayout* grid, int line, QWidget
                      tr("Details of channel %1").arg(channel)))
 {
     m_bar->setRemappedShown(false);
-    m_bar->setMinimumWidth(100);
     m_bar->setFixedHeight(kBarHeight);
     m_detail->setTextFormat(Qt::PlainText);
     m_detail->setWordWrap(true);
@@ -171,11 +171,13 @@ void CalibrationRow::applyStep(const ChannelCalibration& calibration)
     const Step step = calibration.step();
     const bool isNumbers = hasNumbers(step);
     m_bar->setVisible(!isNumbers);
+    m_bar->setMinimumWidth(step == Step::Direction ? 80 : 120); // there is more beside it
     for (const Number& number : m_numbers) {
         number.cell->setVisible(isNumbers);
     }
     const int digit = m_detail->fontMetrics().averageCharWidth();
-    m_detail->setMinimumWidth(digit * kDetailWidth);
+    m_detail->setMinimumWidth(digit
+                              * (step == Step::Direction ? kDirectionDetailWidth : kDetailWidth));
     showDirection(calibration);
     m_state->setLeastWidth(digit * kStateWidth);
     if (isNumbers) {
