@@ -220,6 +220,7 @@ private:
             QDateTime::fromSecsSinceEpoch(QDateTime::currentSecsSinceEpoch(), Qt::UTC);
         if (const auto& signature = session.controller().device().signature) {
             configuration.signature = signature->text();
+            configuration.firmware = signature->firmware();
         }
         for (const ParameterRow& row : kParameters) {
             if (const auto raw = session.settings().parameter(row.number); raw && !row.isTrigger) {

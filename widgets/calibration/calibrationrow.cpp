@@ -13,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -28,6 +29,7 @@ constexpr int kBarHeight = 28; // legible from an arm's length
 // So that nothing jumps when words and figures change, in characters.
 constexpr int kStateWidth = 16;
 constexpr int kDetailWidth = 26;
+constexpr int kDirectionDetailWidth = 22; // beside a box and a button
 
 constexpr std::array<QLatin1StringView, 4> kNumberNames{"minimum"_L1, "neutral"_L1, "maximum"_L1,
                                                         "deadband"_L1};
@@ -46,6 +48,13 @@ bool hasNumbers(Step step)
 std::optional<int> usable(std::optional<int> raw)
 {
     return raw && *raw != kInvalidPulse ? raw : std::nullopt;
+}
+
+/// A figure and its unit stay on one line.
+QString withItsUnits(QString text)
+{
+    static const QRegularExpression gap(u"(?<=\\d) (?=(µs|ms|V|%)(\\W|$))|(?<=σ) "_s);
+    return text.replace(gap, QString(QChar::Nbsp));
 }
 
 void setColour(QWidget* widget, ColourRole role)
@@ -90,7 +99,6 @@ CalibrationRow::CalibrationRow(int channel, QGridLayout* grid, int line, QWidget
                      tr("Details of channel %1").arg(channel)))
 {
     m_bar->setRemappedShown(false);
-    m_bar->setMinimumWidth(100);
     m_bar->setFixedHeight(kBarHeight);
     m_detail->setTextFormat(Qt::PlainText);
     m_detail->setWordWrap(true);
@@ -163,11 +171,13 @@ void CalibrationRow::applyStep(const ChannelCalibration& calibration)
     const Step step = calibration.step();
     const bool isNumbers = hasNumbers(step);
     m_bar->setVisible(!isNumbers);
+    m_bar->setMinimumWidth(step == Step::Direction ? 80 : 120); // there is more beside it
     for (const Number& number : m_numbers) {
         number.cell->setVisible(isNumbers);
     }
     const int digit = m_detail->fontMetrics().averageCharWidth();
-    m_detail->setMinimumWidth(digit * kDetailWidth);
+    m_detail->setMinimumWidth(digit
+                              * (step == Step::Direction ? kDirectionDetailWidth : kDetailWidth));
     showDirection(calibration);
     m_state->setLeastWidth(digit * kStateWidth);
     if (isNumbers) {
@@ -262,7 +272,7 @@ void CalibrationRow::refresh(const ChannelCalibration& calibration, std::optiona
     }
     m_state->setState(state.shape, state.word);
     m_state->setToolTip(state.figures);
-    m_detail->setText(state.detail);
+    m_detail->setText(withItsUnits(state.detail));
     m_detail->setToolTip(state.figures);
 }
 
