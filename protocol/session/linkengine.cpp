@@ -9,7 +9,6 @@
 namespace trex {
 
 namespace {
-
 using namespace std::chrono_literals;
 
 // A stop waits for a reply on its way (the controller is deaf meanwhile), but not for one that only
@@ -298,6 +297,7 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
         flight.sentBytes = probeBytes(now);
     }
     flight.sent = now;
+    flight.heldBefore = m_undecided.size();
     const int crc = m_settings.hasCrc() ? 1 : 0;
     int replyBytes = 0;
     Duration wait = m_settings.timeout + m_slack;
@@ -318,8 +318,8 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
             m_pendingEcho = m_pendingEcho.last(256);
         }
     }
-    const auto sentCount = static_cast<int>(flight.sentBytes.size());
-    m_lineFreeAt = std::max(m_lineFreeAt, now) + m_settings.timeOf(sentCount);
+    m_lineFreeAt =
+        std::max(m_lineFreeAt, now) + m_settings.timeOf(static_cast<int>(flight.sentBytes.size()));
     noteMotion(transaction);
     Action action{Action::Kind::Send, now, flight.sentBytes, {}};
     if (std::exchange(m_guard.line, std::nullopt)) {

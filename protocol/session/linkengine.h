@@ -55,7 +55,6 @@ public:
     [[nodiscard]] LinkState state() const { return m_state; }
     [[nodiscard]] bool hasNews() const; ///< an outcome or an event waits in the batch
     [[nodiscard]] LinkBatch takeBatch(Instant now);
-
     static constexpr int kMostAttempts = 3;
     static constexpr std::chrono::milliseconds kMostSlack{250}; ///< waited for late replies
 
@@ -73,6 +72,7 @@ private:
         ReplyParser parser;
         QByteArray sentBytes;
         QByteArray received; ///< echo left out
+        qsizetype heldBefore = 0; ///< of the undecided bytes, those that came before it was sent
         Instant sent;
         Instant deadline;
         Instant limit; ///< no deadline goes beyond it
