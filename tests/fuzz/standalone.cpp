@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The driver of a fuzz target where there is no libFuzzer: plays the kept corpus, then as many
-// mutations of it as asked for, always the same ones. The input that is being played stands in a
-// file of its own until all have passed, so that a crash leaves it there.
+// mutations of it as asked for, always the same ones. What was being played when the process died
+// or hung stands in fuzz_NAME.input.
 //
 // fuzz_NAME [--runs N] [--seed N] [--dict FILE] [--longest BYTES] (FILE | FOLDER)...
 #include "tests/fuzz/fuzzing.h"
@@ -12,13 +12,20 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <csignal>
 #include <iterator>
 #include <random>
 #include <vector>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 extern "C" __attribute__((weak)) int LLVMFuzzerInitialize(int* argc, char*** argv);
+extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*callback)());
 
 namespace {
+
+constexpr unsigned kLongestSeconds = 100; // for a hundred inputs: one of them hangs
 
 struct Options {
     std::size_t runs = 0;
@@ -57,28 +64,40 @@ QByteArrayList readDictionary(const QString& path)
     return words;
 }
 
-/// The input being played, as a file: it is there whatever happens, and goes when all is well.
-class LastInput {
-public:
-    explicit LastInput(const QString& path) : m_file(path)
-    {
-        m_isOpen = m_file.open(QIODevice::ReadWrite | QIODevice::Truncate | QIODevice::Unbuffered);
-    }
-    ~LastInput() { m_file.remove(); }
-    Q_DISABLE_COPY_MOVE(LastInput)
-    void keep(const QByteArray& input)
-    {
-        if (m_isOpen) {
-            m_file.seek(0);
-            m_file.write(input);
-            m_file.resize(input.size());
-        }
-    }
+/// The input being played. Whatever ends the process by a signal leaves it in a file.
+struct LastInput {
+    const char* bytes = nullptr;
+    std::size_t size = 0;
+    char path[256] = {};
+} last;
 
-private:
-    QFile m_file;
-    bool m_isOpen = false;
-};
+/// Nothing but what signal-safety(7) allows.
+void keepLastInput()
+{
+    const int file = ::open(last.path, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    if (file >= 0) {
+        [[maybe_unused]] const ssize_t written = ::write(file, last.bytes, last.size);
+        ::close(file);
+    }
+}
+
+void keepAndEnd(int signal)
+{
+    keepLastInput();
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+}
+
+void watch(const QByteArray& program)
+{
+    std::snprintf(last.path, sizeof last.path, "%s.input", program.constData());
+    for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGALRM}) {
+        ::signal(signal, keepAndEnd);
+    }
+    if (__sanitizer_set_death_callback != nullptr) {
+        __sanitizer_set_death_callback(keepLastInput);
+    }
+}
 
 class Mutator {
 public:
@@ -207,6 +226,12 @@ void play(const QByteArray& input)
 {
     // A buffer of its own, so that a sanitizer sees one byte too far.
     const std::vector<std::uint8_t> exact(input.begin(), input.end());
+    last.bytes = input.constData();
+    last.size = static_cast<std::size_t>(input.size());
+    static int played = 0;
+    if (played++ % 100 == 0) {
+        ::alarm(kLongestSeconds);
+    }
     LLVMFuzzerTestOneInput(exact.data(), exact.size());
 }
 
@@ -219,16 +244,13 @@ int main(int argc, char** argv)
     }
     const Options options = parse(argc, argv);
     const std::vector<QByteArray> corpus = readCorpus(options.paths);
-    LastInput last(QFileInfo(QString::fromLocal8Bit(argv[0])).fileName()
-                   + QStringLiteral(".input"));
+    watch(QFileInfo(QString::fromLocal8Bit(argv[0])).fileName().toLocal8Bit());
     for (const QByteArray& input : corpus) {
-        last.keep(input);
         play(input);
     }
     Mutator mutator(options, corpus);
     for (std::size_t run = 0; run < options.runs; ++run) {
         const QByteArray input = mutator.next();
-        last.keep(input);
         play(input);
     }
     std::printf("%zu kept inputs and %zu mutations of them (seed %llu)\n", corpus.size(),
