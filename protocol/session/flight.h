@@ -25,6 +25,7 @@ struct Flight {
     ReplyParser parser;
     QByteArray sentBytes;
     QByteArray received; ///< echo left out
+    qsizetype heldBefore = 0; ///< of the undecided bytes, those that came before it was sent
     Instant sent;
     Instant expected; ///< the reply is there, by its time on the wire and the controller's own
     Instant deadline;

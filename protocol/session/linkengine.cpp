@@ -273,6 +273,7 @@ LinkEngine::Action LinkEngine::send(const Queued& queued, Instant now)
         flight.sentBytes = probeBytes(now);
     }
     flight.sent = now;
+    flight.heldBefore = m_undecided.size();
     const int crc = m_settings.hasCrc() ? 1 : 0;
     int replyBytes = 0;
     Duration wait = m_settings.timeout + m_slack;

@@ -60,7 +60,6 @@ public:
     [[nodiscard]] LinkState state() const { return m_state; }
     [[nodiscard]] bool hasNews() const; ///< an outcome or an event waits in the batch
     [[nodiscard]] LinkBatch takeBatch(Instant now);
-
     static constexpr int kMostAttempts = 3;
     static constexpr std::chrono::milliseconds kMostSlack{250}; ///< waited for late replies
 

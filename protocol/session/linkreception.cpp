@@ -80,6 +80,7 @@ void LinkEngine::received(QByteArrayView bytes, Instant at)
     if (at < m_guard.deafUntil) {
         return; // of a line that was set otherwise
     }
+    const qsizetype earlier = m_flight ? m_flight->heldBefore : 0;
     const QByteArray held = std::exchange(m_undecided, {}) + bytes.toByteArray();
     QByteArrayView rest = held;
     if (m_echo == Echo::Unknown && !m_pendingEcho.isEmpty()) {
@@ -87,6 +88,10 @@ void LinkEngine::received(QByteArrayView bytes, Instant at)
         if (QByteArrayView(held).first(common) != QByteArrayView(m_pendingEcho).first(common)) {
             m_echo = Echo::No;
             m_pendingEcho.clear();
+            if (earlier > 0) { // no echo after all, and no reply to what was sent only then
+                flushed(earlier, at);
+                rest = rest.sliced(earlier);
+            }
         } else if (held.size() > m_pendingEcho.size()) {
             m_echo = Echo::Yes;
             m_batch.events.push_back(
@@ -267,7 +272,7 @@ void LinkEngine::settleUndecided(Instant now)
     const qsizetype wanted = isRaw
         ? m_flight->queued.transaction.rawReplyBytes + (m_settings.hasCrc() ? 1 : 0)
         : m_flight->parser.expectedBytes();
-    if (held.size() == wanted && held.size() < m_pendingEcho.size()) {
+    if (held.size() == wanted && held.size() < m_pendingEcho.size() && m_flight->heldBefore == 0) {
         m_echo = Echo::No;
         m_pendingEcho.clear();
         deliver(held, now);

@@ -446,6 +446,29 @@ private slots:
         QCOMPARE(line.outcomes[3].reply.error().code, ErrorCode::NotConnected);
     }
 
+    void reply_isNotWhatCameBeforeItsQuestion()
+    {
+        for (const bool isEcho : {true, false}) {
+            VirtualLine line({}, false);
+            line.open();
+            line.engine.submit(
+                motor(1, *driveMotor(MotorId::Motor1, {MotorOrder::Action::Set, 64})));
+            line.run(5ms);
+            // Two bytes that may be the echo of the order, before currents (two bytes) are asked.
+            line.engine.received(QByteArray::fromHex("c240"), line.now);
+            line.engine.submit(user(2, query("get-currents")));
+            line.run(5ms);
+            if (!isEcho) {
+                line.engine.received(QByteArray::fromHex("9f"), line.now); // nor is that the rest
+            }
+            line.run(90ms);
+            QVERIFY(line.samples.empty());
+            QVERIFY(std::ranges::none_of(line.outcomes, [](const Outcome& each) {
+                return each.id == 2 && each.reply.has_value();
+            }));
+        }
+    }
+
     void probe_damagedAnswerIsNoStatus()
     {
         LineSettings settings{.errorDetection = ErrorDetection::Crc7,
