@@ -28,7 +28,7 @@ namespace {
 constexpr int kTicksBetween = 15; ///< half a second: figures that can be read
 constexpr QSize kSmallest{260, 160};
 constexpr int kNarrowestAdvice = 170;
-constexpr int kWide = 720; ///< from here on the three parts stand side by side
+constexpr int kWide = 740; ///< from here on the three parts stand side by side
 
 QScrollArea* scrolled(QWidget* content, QWidget* parent)
 {
@@ -97,7 +97,7 @@ QWidget* HealthPanel::makeAdvice()
     buttons->addWidget(copy);
     buttons->addStretch();
     layout->addLayout(buttons);
-    box->setMinimumWidth(kNarrowestAdvice);
+    box->setMinimumWidth(std::max(kNarrowestAdvice, buttons->minimumSize().width()));
     return box;
 }
 
@@ -225,7 +225,7 @@ void HealthPanel::arrange()
     const int figures = figuresWidth();
     m_figures->setMinimumWidth(isBeside ? figures : 0);
     if (isBeside) {
-        const int advice = std::clamp(width() / 4, kNarrowestAdvice, 400);
+        const int advice = std::clamp(width() / 4, m_splitter->widget(0)->minimumWidth(), 400);
         m_splitter->setSizes({advice, std::max(width() - advice - figures, 180), figures});
     } else {
         m_splitter->setSizes({height() / 4, height() / 3, height() * 5 / 12});
