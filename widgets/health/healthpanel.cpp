@@ -30,6 +30,12 @@ constexpr QSize kSmallest{260, 160};
 constexpr int kNarrowestAdvice = 170;
 constexpr int kWide = 740; ///< from here on the three parts stand side by side
 
+/// A list of several stands one under the other.
+QString inLines(QString text)
+{
+    return text.replace(u", "_s, u"\n"_s);
+}
+
 QScrollArea* scrolled(QWidget* content, QWidget* parent)
 {
     auto* area = new QScrollArea(parent);
@@ -140,9 +146,6 @@ HealthPanel::FigureRow& HealthPanel::rowOf(const QString& key, const QString& ti
     FigureRow row{caption, label(u"health."_s + key), nullptr};
     if (isCounted) {
         row.total = label(u"health.%1.total"_s.arg(key));
-        const bool isList = key == u"uart"_s;
-        row.recent->setWordWrap(isList);
-        row.total->setWordWrap(isList);
         m_grid->addWidget(row.recent, line, 1);
         m_grid->addWidget(row.total, line, 2);
     } else {
@@ -180,8 +183,8 @@ void HealthPanel::refreshFigures(const LinkFacts& facts)
         FigureRow& row = rowOf(figure.key, figure.title, true);
         // Colour is not the only sign: what is wrong stands in the advice beside.
         mark(row.recent, figure.isTrouble);
-        row.recent->setText(figure.recent);
-        row.total->setText(figure.total);
+        row.recent->setText(inLines(figure.recent));
+        row.total->setText(inLines(figure.total));
     }
     std::vector<QString> shown;
     for (const LineFigure& figure : lineFigures(facts)) {
