@@ -97,7 +97,7 @@ void TestPeerFaults::peer_failsWhileMotorsRun()
     QTRY_VERIFY_WITH_TIMEOUT(controller.state() != LinkState::Connected, 10'000);
     QVERIFY(!controller.isArmed());
     QVERIFY(controller.lastError().has_value());
-    QTest::qWait(700); // tried again in vain meanwhile
+    QTest::qWait(600); // tried again in vain meanwhile
     QVERIFY(controller.state() != LinkState::Connected);
     QVERIFY(!controller.driveMotor(MotorId::Motor1, {MotorOrder::Action::Set, 90}));
     QVERIFY(!controller.arm());
@@ -168,7 +168,7 @@ void TestPeerFaults::slowPeer_isStoppedAndTellsNothingWrong()
                 && !std::all_of(sample->raw.begin(), sample->raw.end(), isAtRest));
     });
     peer.be(Way::Slow);
-    QTest::qWait(3000);
+    QTest::qWait(2000);
     QVERIFY(!isWrong);
     QVERIFY(controller.health().total.shortReplies + controller.health().total.timeouts > 2);
     QSignalSpy stopped(&controller, &Controller::stopped);
@@ -221,8 +221,8 @@ void TestPeerFaults::rubbish_leavesTheProgramItsTimeAndMemory()
     QTimer ticker;
     connect(&ticker, &QTimer::timeout, this, [&ticks] { ++ticks; });
     ticker.start(5);
-    QTest::qWait(2500);
-    QVERIFY2(ticks > 20, qPrintable(QString::number(ticks))); // the window would have been served
+    QTest::qWait(1500);
+    QVERIFY2(ticks > 12, qPrintable(QString::number(ticks))); // the window would have been served
     QVERIFY(controller.state() != LinkState::Connected);
     QCOMPARE(controller.lastError()->code, ErrorCode::Garbage);
     QVERIFY(errorText(*controller.lastError()).contains(u"tcp://"_s));
