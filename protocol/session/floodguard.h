@@ -10,7 +10,7 @@ namespace trex {
 /// fill memory. Pure.
 class FloodGuard {
 public:
-    static constexpr qint64 kMostBytes = 128 * 1024; ///< within kWithin, bursts of servers included
+    static constexpr qint64 kMostBytes = 131'072; ///< within kWithin, bursts of servers included
     static constexpr std::chrono::seconds kWithin{1};
 
     /// True when these bytes are too much.

@@ -107,7 +107,8 @@ bool hasSlowTimer(const LinkFacts& f)
 
 bool isTooSlow(const LinkFacts& f)
 {
-    return f.stats.pollScale < kAskedShare;
+    const bool isMeasured = f.health.now.covered > Duration(0);
+    return isMeasured && f.stats.pollScale < kAskedShare;
 }
 
 QStringList answerWords(const LinkFacts& f)

@@ -181,11 +181,15 @@ std::vector<LineFigure> lineFigures(const LinkFacts& facts)
     const HealthCounts& now = facts.health.now;
     const bool isOn = facts.state == LinkState::Connected;
     const auto live = [isOn](const QString& text) { return isOn ? text : absent(); };
+    const bool isMeasured = isOn && now.covered > Duration(0); // a second has passed
+    const auto measured = [isMeasured](const QString& text) {
+        return isMeasured ? text : absent();
+    };
     std::vector<LineFigure> figures{
         {"bytes"_L1, words(QT_TRANSLATE_NOOP("LinkFigures", "Bytes a second")),
-         live(QString::number(qRound(now.bytesPerSecond())))},
+         measured(QString::number(qRound(now.bytesPerSecond())))},
         {"wireBusy"_L1, words(QT_TRANSLATE_NOOP("LinkFigures", "Wire busy")),
-         live(words(QT_TRANSLATE_NOOP("LinkFigures", "%1 %")).arg(percent(now.wireShare())))},
+         measured(words(QT_TRANSLATE_NOOP("LinkFigures", "%1 %")).arg(percent(now.wireShare())))},
         {"speed"_L1, words(QT_TRANSLATE_NOOP("LinkFigures", "Speed")),
          words(QT_TRANSLATE_NOOP("LinkFigures", "%1 baud")).arg(facts.line.baud)},
         {"errorDetection"_L1, words(QT_TRANSLATE_NOOP("LinkFigures", "Error detection")),
@@ -208,10 +212,10 @@ std::vector<LineFigure> lineFigures(const LinkFacts& facts)
             figures.push_back(
                 {QLatin1StringView(row.key.data(), static_cast<qsizetype>(row.key.size())),
                  words(QT_TRANSLATE_NOOP("LinkFigures", "Rate of %1")).arg(pollText(row.id)),
-                 live(words(QT_TRANSLATE_NOOP("LinkFigures", "%1 of %2 Hz"))
-                          .arg(qRound(got))
-                          .arg(qRound(asked))),
-                 isOn && got < asked * 0.9});
+                 measured(words(QT_TRANSLATE_NOOP("LinkFigures", "%1 of %2 Hz"))
+                              .arg(qRound(got))
+                              .arg(qRound(asked))),
+                 isMeasured && got < asked * 0.9});
         }
     }
     return figures;

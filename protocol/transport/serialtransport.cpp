@@ -156,7 +156,8 @@ AdapterFacts::LowLatency SerialTransport::askForLowLatency() const
     }
     serial = {};
     const bool isRead = ::ioctl(m_port.handle(), TIOCGSERIAL, &serial) == 0;
-    return isRead && (serial.flags & ASYNC_LOW_LATENCY) != 0 ? Granted : Unknown;
+    const auto flags = static_cast<unsigned>(serial.flags);
+    return isRead && (flags & ASYNC_LOW_LATENCY) != 0 ? Granted : Unknown;
 #else
     return NotAsked;
 #endif

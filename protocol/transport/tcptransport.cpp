@@ -15,7 +15,7 @@ namespace {
 
 using namespace Qt::Literals::StringLiterals;
 
-constexpr qint64 kMostBuffered = 16 * 1024; ///< what a peer sends at full rate waits at the peer
+constexpr qint64 kMostBuffered = 16'384; ///< what a peer sends at full rate waits at the peer
 
 /// A peer that takes nothing any more (its computer is off, the cable is out) is given up after
 /// kLongestUnheard; the system would hope for a quarter of an hour.

@@ -11,6 +11,10 @@
 #include <QTest>
 #include <QTimer>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 using namespace trex;
 using namespace Qt::Literals::StringLiterals;
 
@@ -27,6 +31,7 @@ class TestExitPaths : public QObject {
 private slots:
     void exit_leavesAllMotorsNeutral_data();
     void exit_leavesAllMotorsNeutral();
+    void portTakenWhileLost_isSaidAndStoppedAfterwards();
 };
 
 void TestExitPaths::exit_leavesAllMotorsNeutral_data()
@@ -142,6 +147,56 @@ void TestExitPaths::exit_leavesAllMotorsNeutral()
             record.motorPackets.at(record.motorPackets.size() - stops.size() + i).bytes;
         QCOMPARE(heard, encode(stops.at(i), options.line));
     }
+}
+
+/// The adapter was pulled, and another program was quicker when it came back: which is said, and as
+/// soon as the port is free again the motors are stopped.
+void TestExitPaths::portTakenWhileLost_isSaidAndStoppedAfterwards()
+{
+    QTemporaryDir folder;
+    const QString log = folder.filePath(u"log.jsonl"_s);
+    OpenOptions options;
+    options.port = folder.filePath(u"port"_s);
+    test::SimWitness server({}, options.port, log);
+    QVERIFY(server.isOk());
+    Controller controller(nullptr, nullptr);
+    QSignalSpy reconnected(&controller, &Controller::reconnected);
+    controller.open(options);
+    QTRY_COMPARE_WITH_TIMEOUT(controller.state(), LinkState::Connected, 5000);
+
+    int other = -1;
+    for (int attempt = 0; attempt < 8 && other < 0; ++attempt) {
+        QVERIFY(QTest::qWaitFor([&] { return controller.arm().has_value(); }, 5000));
+        QVERIFY(controller.driveMotor(MotorId::Motor1, {MotorOrder::Action::Set, 60}));
+        const quint64 sent = controller.stats().transactions;
+        QTRY_VERIFY(controller.stats().transactions > sent);
+        server.hangUp(0.2);
+        QTRY_VERIFY_WITH_TIMEOUT(controller.state() != LinkState::Connected, 5000);
+        // The controller tries twice a second; whoever looks more often comes first, mostly.
+        const QByteArray path = options.port.toLocal8Bit();
+        while (other < 0 && controller.state() != LinkState::Connected) {
+            other = ::open(path.constData(), O_RDWR | O_NOCTTY | O_NONBLOCK);
+            if (other >= 0 && ::flock(other, LOCK_EX | LOCK_NB) != 0) {
+                ::close(std::exchange(other, -1));
+            }
+            QTest::qWait(2);
+        }
+        QTRY_VERIFY(other >= 0 || controller.state() == LinkState::Connected);
+    }
+    QVERIFY2(other >= 0, "the port was never ours");
+    QTRY_VERIFY_WITH_TIMEOUT(
+        controller.lastError() && controller.lastError()->code == ErrorCode::PortBusy, 5000);
+    QVERIFY(!controller.isArmed());
+    reconnected.clear();
+    ::close(other);
+    QTRY_COMPARE_WITH_TIMEOUT(reconnected.count(), 1, 6000);
+    QTest::qWait(100);
+    QVERIFY(!controller.isArmed());
+    server.end();
+    const test::SimRecord record = test::readSimRecord(log);
+    QCOMPARE(record.speeds, (std::array{0, 0, 0}));
+    QVERIFY(record.moved.front());
+    QCOMPARE(record.motorPackets.back().bytes, encode(stopCommands(false).back(), options.line));
 }
 
 QTEST_GUILESS_MAIN(TestExitPaths)

@@ -227,6 +227,7 @@ private slots:
             << static_cast<int>(Kind::ForeignTraffic) << u"noise"_s;
         QTest::newRow("timer at 1") << static_cast<int>(Kind::LatencyTimer) << u"timer 1"_s;
         QTest::newRow("answers 5 ms late") << static_cast<int>(Kind::HeldBack) << u"held 5"_s;
+        QTest::newRow("first second") << static_cast<int>(Kind::WaitingTooLong) << u"first"_s;
         QTest::newRow("96 % of the rates") << static_cast<int>(Kind::LineTooSlow) << u"scale"_s;
     }
     void littleIsNoFault()
@@ -248,6 +249,9 @@ private slots:
             recent.badReplies = 40;
         } else if (what == u"timer 1"_s) {
             facts.health.adapter.latencyTimerMs = 1;
+        } else if (what == u"first"_s) {
+            facts.stats.pollScale = 0.5;
+            facts.health.now = {};
         } else if (what == u"scale"_s) {
             facts.stats.pollScale = 0.96;
             facts.health.now.wire = 990ms;

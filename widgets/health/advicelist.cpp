@@ -105,12 +105,14 @@ AdviceList::Row AdviceList::makeRow(const LinkAdvice& advice, qsizetype number)
     text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     layout->addWidget(text);
     if (!advice.command.isEmpty()) {
-        auto* command = named(new QLabel(advice.command, box), name + u".command"_s,
-                              tr("Command for the superuser"));
+        // Breaks after each slash; what is copied is the command itself.
+        QString shown = advice.command;
+        shown.replace(u'/', u"/\u200B"_s);
+        auto* command =
+            named(new QLabel(shown, box), name + u".command"_s, tr("Command for the superuser"));
         command->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
         command->setWordWrap(true);
         command->setTextFormat(Qt::PlainText);
-        command->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         layout->addWidget(command);
     }
     if (!advice.command.isEmpty() || !advice.panel.isEmpty()) {

@@ -28,7 +28,13 @@ namespace {
 constexpr int kTicksBetween = 15; ///< half a second: figures that can be read
 constexpr QSize kSmallest{260, 160};
 constexpr int kNarrowestAdvice = 170;
-constexpr int kWide = 720; ///< from here on the three parts stand side by side
+constexpr int kWide = 740; ///< from here on the three parts stand side by side
+
+/// A list of several stands one under the other.
+QString inLines(QString text)
+{
+    return text.replace(u", "_s, u"\n"_s);
+}
 
 QScrollArea* scrolled(QWidget* content, QWidget* parent)
 {
@@ -97,7 +103,7 @@ QWidget* HealthPanel::makeAdvice()
     buttons->addWidget(copy);
     buttons->addStretch();
     layout->addLayout(buttons);
-    box->setMinimumWidth(kNarrowestAdvice);
+    box->setMinimumWidth(std::max(kNarrowestAdvice, buttons->minimumSize().width()));
     return box;
 }
 
@@ -140,9 +146,6 @@ HealthPanel::FigureRow& HealthPanel::rowOf(const QString& key, const QString& ti
     FigureRow row{caption, label(u"health."_s + key), nullptr};
     if (isCounted) {
         row.total = label(u"health.%1.total"_s.arg(key));
-        const bool isList = key == u"uart"_s;
-        row.recent->setWordWrap(isList);
-        row.total->setWordWrap(isList);
         m_grid->addWidget(row.recent, line, 1);
         m_grid->addWidget(row.total, line, 2);
     } else {
@@ -180,8 +183,8 @@ void HealthPanel::refreshFigures(const LinkFacts& facts)
         FigureRow& row = rowOf(figure.key, figure.title, true);
         // Colour is not the only sign: what is wrong stands in the advice beside.
         mark(row.recent, figure.isTrouble);
-        row.recent->setText(figure.recent);
-        row.total->setText(figure.total);
+        row.recent->setText(inLines(figure.recent));
+        row.total->setText(inLines(figure.total));
     }
     std::vector<QString> shown;
     for (const LineFigure& figure : lineFigures(facts)) {
@@ -225,7 +228,7 @@ void HealthPanel::arrange()
     const int figures = figuresWidth();
     m_figures->setMinimumWidth(isBeside ? figures : 0);
     if (isBeside) {
-        const int advice = std::clamp(width() / 4, kNarrowestAdvice, 400);
+        const int advice = std::clamp(width() / 4, m_splitter->widget(0)->minimumWidth(), 400);
         m_splitter->setSizes({advice, std::max(width() - advice - figures, 180), figures});
     } else {
         m_splitter->setSizes({height() / 4, height() / 3, height() * 5 / 12});

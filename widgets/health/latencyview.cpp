@@ -157,6 +157,10 @@ void LatencyView::paintAxes(QPainter& painter, const Scale& scale) const
             Qt::AlignRight | Qt::AlignVCenter, QString::number(std::pow(10.0, decade), 'f', 0));
     }
     const QString unit = tr("ms");
+    const double baseline = area.bottom() + kGap / 2.0 + metrics.ascent();
+    const double unitLeft = width() - metrics.horizontalAdvance(unit);
+    painter.setPen(dim);
+    painter.drawText(QPointF(unitLeft, baseline), unit);
     double lastRight = 0.0;
     for (const double tick : kTicksMs) {
         if (tick < from || tick > to) {
@@ -166,13 +170,13 @@ void LatencyView::paintAxes(QPainter& painter, const Scale& scale) const
             std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(tick)));
         painter.setPen(grid);
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-        const QString label = u"%1 %2"_s.arg(tick).arg(unit);
-        const double width = metrics.horizontalAdvance(label);
-        const double left = std::min(x - width / 2.0, this->width() - width);
-        if (left > lastRight + kGap) {
+        const QString label = QString::number(tick);
+        const double extent = metrics.horizontalAdvance(label);
+        const double left = x - extent / 2.0;
+        if (left > lastRight + kGap && left + extent < unitLeft - kGap) {
             painter.setPen(dim);
-            painter.drawText(QPointF(left, area.bottom() + kGap / 2.0 + metrics.ascent()), label);
-            lastRight = left + width;
+            painter.drawText(QPointF(left, baseline), label);
+            lastRight = left + extent;
         }
     }
     painter.setPen(theme::colour(ColourRole::Border));
