@@ -164,6 +164,8 @@ RULES = {
     "threads only in linkthread and recorder":
         grep(r"std::mutex|QMutex|moveToThread|std::atomic|QThread\b", CODE, named("linkthread", "recorder")),
     "<QSettings> is included in two files at most": files_with_settings,
+    "files are saved by SaveFile, which Qt's own may empty on a full disk":
+        grep(r"\bQSaveFile\b", CODE, named("savefile")),
     "the codec is pure: no QObject, no clock":
         grep(r"#include <(QObject|QTimer|QElapsedTimer|QDateTime)>|Q_OBJECT|_clock::now\(", ["protocol/codec"]),
     "the simulator is a reading of its own: no framing and no decoding of the codec's": includes_of_the_simulator,

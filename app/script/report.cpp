@@ -4,12 +4,12 @@
 #include "app/script/metrics.h"
 #include "app/script/processclock.h"
 #include "app/script/scriptplayer.h"
+#include "protocol/savefile.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 
 #include <cmath>
 
@@ -53,7 +53,7 @@ QJsonObject reportOf(const ScriptPlayer& player, const Metrics& metrics)
 
 Result<void> writeReport(const QString& path, const QJsonObject& report)
 {
-    QSaveFile file(path);
+    SaveFile file(path);
     QDir().mkpath(QFileInfo(path).absolutePath());
     const QByteArray json = QJsonDocument(report).toJson();
     if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {

@@ -2,13 +2,14 @@
 #include "app/script/screenshots.h"
 
 #include "app/script/objectfinder.h"
+#include "protocol/errortext.h"
+#include "protocol/savefile.h"
 #include "widgets/panelregistry.h"
 
 #include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
 #include <QPixmap>
-#include <QSaveFile>
 #include <QWidget>
 
 namespace trex {
@@ -24,12 +25,15 @@ StepResult write(StepContext& context, QWidget& widget, const QString& file)
     const QString path = QDir(context.folder).filePath(file);
     QByteArray png;
     QBuffer buffer(&png);
-    QSaveFile target(path);
+    SaveFile target(path);
     const bool ok = QDir().mkpath(QFileInfo(path).absolutePath())
         && buffer.open(QIODevice::WriteOnly) && widget.grab().save(&buffer, "PNG")
         && target.open(QIODevice::WriteOnly) && target.write(png) == png.size() && target.commit();
-    if (!ok) {
-        return {Verdict::Failed, u"Could not write %1: %2"_s.arg(path, target.errorString())};
+    if (!ok) { // without a reason of its own: the folder cannot be made
+        return {Verdict::Failed,
+                target.error() == QFileDevice::NoError
+                    ? errorText({ErrorCode::FileUnwritable, path})
+                    : u"Could not write %1: %2"_s.arg(path, target.errorString())};
     }
     context.screenshots << file;
     return {};

@@ -25,6 +25,11 @@ int run(CommandLine& commandLine, SettingsFile& settings, const OpenOptions& opt
 #endif
     Session session(commandLine.verb(), options, commandLine.isJson(),
                     journalPath(settings.path()));
+    if (const auto problem = settings.problem();
+        problem && problem->code == ErrorCode::FileMalformed) {
+        session.warn(
+            settings.problemText()); // another's place to be told: a folder not to write in
+    }
     logWire(session.controller(), commandLine.verbosity());
     QObject::connect(&session, &Session::finished, qApp, &QCoreApplication::exit);
     QObject::connect(&session, &Session::connected, &session, [&] {

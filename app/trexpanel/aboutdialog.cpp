@@ -2,6 +2,7 @@
 #include "app/trexpanel/aboutdialog.h"
 
 #include "app/common/version.h"
+#include "widgets/common/fitting.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/stopbutton.h"
 #include "widgets/common/theme.h"
@@ -88,7 +89,7 @@ AboutDialog::AboutDialog(Controller& controller, QWidget* parent) : QDialog(pare
     layout->addLayout(top);
     layout->addWidget(text, 1);
     layout->addWidget(buttons);
-    resize(560, 420);
+    resizeToFit(*this, {560, 420});
     buttons->button(QDialogButtonBox::Close)->setFocus();
 }
 

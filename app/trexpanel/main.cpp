@@ -5,6 +5,7 @@
 #include "app/script/processclock.h"
 #include "app/trexpanel/paneloptions.h"
 #include "app/trexpanel/program.h"
+#include "app/trexpanel/startup.h"
 #include "protocol/errortext.h"
 #include "protocol/transport/laststop.h"
 
@@ -12,6 +13,7 @@
 #include <QLocale>
 
 #include <csignal>
+#include <memory>
 
 using namespace trex;
 
@@ -26,7 +28,12 @@ int main(int argc, char* argv[])
     installLogging(options.verbosity);
 
     laststop::installCrashHandlers();
+    auto displayGuard = std::make_unique<DisplayGuard>();
     QApplication app(argc, argv);
+    displayGuard.reset();
+    if (!hasFonts()) {
+        return 2;
+    }
     QApplication::setApplicationName(QStringLiteral("trexpanel"));
     QApplication::setApplicationDisplayName(QStringLiteral("TReX Panel"));
     QApplication::setApplicationVersion(QLatin1StringView(kVersion));

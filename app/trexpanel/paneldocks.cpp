@@ -8,6 +8,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QScreen>
+#include <QScrollArea>
 
 namespace trex {
 
@@ -16,8 +17,32 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr QSize kUsualSize{1440, 900};
+constexpr QSize kLeastForColumns{1120, 700}; ///< of a screen; what is smaller gets one panel a time
 constexpr int kSideWidth = 320;
 constexpr int kLayoutVersion = 1; ///< a stored layout of another version is not restored
+
+/// The offscreen platform's screen is none that a window would have to fit, unless it was given.
+bool hasScreen()
+{
+    return QGuiApplication::platformName() != "offscreen"_L1
+        || qEnvironmentVariable("QT_QPA_PLATFORM").startsWith("offscreen:"_L1);
+}
+
+bool isScreenSmall()
+{
+    const QSize available = QApplication::primaryScreen()->availableSize();
+    return hasScreen() && available.boundedTo(kLeastForColumns) != kLeastForColumns;
+}
+
+/// A panel that need not fit: what does not is scrolled to.
+QScrollArea* scrolled(Panel* panel, QWidget* parent)
+{
+    auto* area = new QScrollArea(parent);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setWidget(panel);
+    return area;
+}
 
 } // namespace
 
@@ -55,7 +80,7 @@ void PanelDocks::addDock(const PanelRow& row, PanelContext& context)
     Panel* panel = named(row.make(context, dock), idOf(row), dock->windowTitle());
     panel->setAutoFillBackground(true);
     panel->setBackgroundRole(QPalette::Base);
-    dock->setWidget(panel);
+    isScreenSmall() ? dock->setWidget(scrolled(panel, dock)) : dock->setWidget(panel);
     connect(panel, &Panel::panelRequested, this, &PanelDocks::bringForward);
     auto* title = new DockTitle(*dock);
     dock->setTitleBarWidget(title);
@@ -77,17 +102,20 @@ void PanelDocks::addToMenu(QMenu& menu) const
 
 void PanelDocks::applyDefaultLayout()
 {
+    const bool isSmall = isScreenSmall();
     QHash<int, QDockWidget*> firstAt; // by area and order: the dock that the others are tabbed with
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const PanelRow& row = *m_rows[i];
         QDockWidget* dock = m_docks.at(static_cast<qsizetype>(i));
         dock->setFloating(false);
         dock->show();
-        const int place = static_cast<int>(row.area) * 100 + row.order;
+        // On a small screen all are tabs of one place: side by side they would be wider than it.
+        const auto area = isSmall ? Qt::BottomDockWidgetArea : row.area;
+        const int place = isSmall ? 0 : static_cast<int>(row.area) * 100 + row.order;
         if (QDockWidget* first = firstAt.value(place)) {
             m_window.tabifyDockWidget(first, dock);
         } else {
-            m_window.addDockWidget(row.area, dock, Qt::Vertical);
+            m_window.addDockWidget(area, dock, Qt::Vertical);
             firstAt.insert(place, dock);
         }
     }
@@ -112,10 +140,9 @@ void PanelDocks::fitColumns()
 
 void PanelDocks::restore(const QByteArray& geometry, const QByteArray& layout)
 {
-    // The offscreen platform's screen is none that a window would have to fit.
-    const bool hasScreen = QGuiApplication::platformName() != "offscreen"_L1;
-    m_window.resize(hasScreen ? kUsualSize.boundedTo(QApplication::primaryScreen()->availableSize())
-                              : kUsualSize);
+    m_window.resize(hasScreen()
+                        ? kUsualSize.boundedTo(QApplication::primaryScreen()->availableSize())
+                        : kUsualSize);
     applyDefaultLayout();
     m_window.restoreGeometry(geometry);
     if (!layout.isEmpty()) { // queued behind fitColumns()

@@ -134,7 +134,7 @@ std::optional<int> parsePanelOptions(int argc, char** argv, PanelOptions& option
 
 void prepareEnvironment(const PanelOptions& options)
 {
-    if (options.offscreen) {
+    if (options.offscreen && !qgetenv("QT_QPA_PLATFORM").startsWith("offscreen:")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
     if (options.scale > 0.0) {

@@ -78,8 +78,8 @@ void Program::logEvents()
     connect(&m_controller, &Controller::eventLogged, &m_log, &EventLog::add);
     connect(&m_audit, &WriteAudit::told, &m_log, &EventLog::add);
     m_audit.resolveWhenConnected();
-    if (const auto problem = m_file.problem()) {
-        m_log.add(EventLog::Warning, errorText(*problem));
+    if (m_file.problem()) {
+        m_log.add(EventLog::Warning, m_file.problemText());
     }
     logWire(m_controller, m_options.verbosity);
 }
@@ -255,7 +255,9 @@ void Program::finish()
 {
     m_patience.stop();
     disconnect(&m_controller, &Controller::closed, this, &Program::finish);
-    m_file.sync();
+    if (!m_file.sync()) {
+        printMessage(u"trexpanel: "_s + m_file.problemText());
+    }
     int exitCode = 0;
     if (m_player) {
         exitCode = m_player->isPassed() ? 0 : kStepFailed;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedures/benchreport.h"
 
+#include "protocol/savefile.h"
 #include "protocol/storage/benchtext.h"
 
 #include <QBuffer>
-#include <QSaveFile>
 #include <QSysInfo>
 #include <QXmlStreamWriter>
 
@@ -302,7 +302,7 @@ QByteArray reportHtml(const BenchOutcome& outcome, const BenchReport& report)
 
 Result<void> saveReport(const QString& path, const BenchOutcome& outcome, const BenchReport& report)
 {
-    QSaveFile file(path);
+    SaveFile file(path);
     const QByteArray html = reportHtml(outcome, report);
     if (!file.open(QIODevice::WriteOnly) || file.write(html) != html.size() || !file.commit()) {
         return fail(ErrorCode::FileUnwritable, u"%1: %2"_s.arg(path, file.errorString()));

@@ -11,6 +11,10 @@ constexpr double kStatusHertz = 20.0;
 constexpr double kControlHertz = 5.0;
 constexpr int kTicksAShow = 5;
 constexpr std::chrono::seconds kLongestStop{1};
+// A controller that starts anew is silent for a moment, shorter than a lost line, and its motors
+// stand; nothing it could be asked would tell. The next order of the profile would move them.
+constexpr int kMissingOfRestart = 2;
+constexpr double kSilenceOfRestart = 0.4; ///< of the profile's staleSeconds
 
 Instant clockNow()
 {
@@ -120,6 +124,7 @@ quint64 BenchTest::linkErrors() const
 void BenchTest::onRecords(const std::vector<TransactionRecord>& records)
 {
     for (const TransactionRecord& record : records) {
+        followSilence(record);
         if (record.error || record.isRaw) {
             continue;
         }
@@ -135,6 +140,26 @@ void BenchTest::onRecords(const std::vector<TransactionRecord>& records)
     m_run.setLinkErrors(linkErrors());
     if (m_run.hasEnded()) {
         conclude();
+    }
+}
+
+void BenchTest::followSilence(const TransactionRecord& record)
+{
+    if (record.error != ErrorCode::NoReply) {
+        if (!record.receivedBytes.isEmpty()) {
+            m_missing = 0;
+            m_lastReply = record.ended;
+        }
+        return;
+    }
+    const std::chrono::duration<double> silence =
+        m_lastReply ? record.ended - *m_lastReply : Duration::zero();
+    if (++m_missing >= kMissingOfRestart
+        && silence.count() >= kSilenceOfRestart * m_run.profile().staleSeconds()) {
+        m_run.end(BenchEnd::Stale,
+                  Bench::tr("the controller did not answer %1 times in a row; it may have been "
+                            "restarted")
+                      .arg(m_missing));
     }
 }
 

@@ -35,6 +35,7 @@ signals:
 private:
     void onTick();
     void onRecords(const std::vector<TransactionRecord>& records);
+    void followSilence(const TransactionRecord& record);
     void onState(LinkState state);
     void giveOrders(const BenchOrders& orders);
     void conclude();
@@ -45,6 +46,8 @@ private:
     QTimer m_timer;
     int m_ticks = 0;
     bool m_isConcluding = false;
+    int m_missing = 0; ///< replies that did not come, in a row
+    std::optional<Instant> m_lastReply;
     std::optional<Error> m_error;
 };
 

@@ -30,6 +30,9 @@ public:
     ~WriteAudit() override;
 
     [[nodiscard]] Journal& journal() { return m_journal; }
+    /// The person has been told elsewhere that nothing can be saved, and wants to write all the
+    /// same: not refused a second time in this connection.
+    void goWithout() { m_mayGoWithout = true; }
     /// Who is connected, as far as it is known.
     [[nodiscard]] ControllerIdentity controller() const;
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/sim/eeprom.h"
 
+#include "protocol/savefile.h"
+
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 
 #include <numeric>
 
@@ -129,7 +130,7 @@ Result<void> saveEeproms(const QString& path, const std::vector<Eeprom>& eeproms
     }
     const QJsonObject root{
         {u"format"_s, kFormat}, {u"version"_s, kVersion}, {u"controllers"_s, controllers}};
-    QSaveFile file(path);
+    SaveFile file(path);
     const QByteArray text = QJsonDocument(root).toJson();
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
         return fail(ErrorCode::FileUnwritable, u"%1: %2"_s.arg(path, file.errorString()));

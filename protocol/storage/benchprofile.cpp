@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/benchprofile.h"
 
+#include "protocol/savefile.h"
 #include "protocol/storage/benchtext.h"
 
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cstdlib>
@@ -205,7 +205,7 @@ Result<BenchProfile> loadBenchProfile(const QString& path)
 
 Result<void> saveBenchProfile(const BenchProfile& profile, const QString& path)
 {
-    QSaveFile file(path);
+    SaveFile file(path);
     const QByteArray json = writeBenchProfile(profile);
     if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
         return fail(ErrorCode::FileUnwritable, u"%1: %2"_s.arg(path, file.errorString()));

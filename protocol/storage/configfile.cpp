@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/configfile.h"
 
+#include "protocol/savefile.h"
 #include "protocol/storage/configadapt.h"
 #include "protocol/storage/jsonplaces.h"
 
@@ -9,7 +10,6 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 
 #include <algorithm>
 
@@ -237,7 +237,7 @@ bool UnknownMember::isComment() const
 Result<void> saveConfiguration(const Configuration& configuration, const QString& path)
 {
     const QByteArray json = writeConfiguration(withCommentsOf(configuration, path));
-    QSaveFile file(path);
+    SaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
         return fail(ErrorCode::FileUnwritable, u"%1 (%2)"_s.arg(path, file.errorString()));
     }

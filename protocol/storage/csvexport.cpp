@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/csvexport.h"
 
+#include "protocol/savefile.h"
+
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace trex {
 
@@ -41,7 +42,7 @@ Result<std::size_t> exportCurrentsCsv(const QString& path, const TelemetryStore&
     if (!isFileOrNew(path)) {
         return unwritable(QCoreApplication::translate("CsvExport", "not a plain file"));
     }
-    QSaveFile file(path);
+    SaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) {
         return unwritable(file.errorString());
     }

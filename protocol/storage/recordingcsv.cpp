@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storage/recordingcsv.h"
 
+#include "protocol/savefile.h"
 #include "protocol/storage/recordingblock.h"
 
 #include <QCoreApplication>
-#include <QSaveFile>
 
 using namespace Qt::Literals::StringLiterals;
 
@@ -215,7 +215,7 @@ Result<std::size_t> exportSamplesCsv(const QString& path, const TelemetryStore& 
     if (!isFileOrNew(path)) {
         return unwritable(QCoreApplication::translate("CsvExport", "not a plain file"));
     }
-    QSaveFile file(path);
+    SaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) {
         return unwritable(file.errorString());
     }

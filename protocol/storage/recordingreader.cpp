@@ -126,18 +126,21 @@ Result<void> RecordingReader::connectTo(const QString& path, bool isCopy)
     return done;
 }
 
+/// Its rollback journal, if it has one, stays behind: SQLite removes the file that a journal names
+/// as its superior, and a stranger may name any. A recording of ours is in WAL mode until it is
+/// whole.
 Result<void> RecordingReader::copyAside()
 {
     m_database.reset();
     m_copy = std::make_unique<QTemporaryDir>();
     const QString target = m_copy->filePath(u"recording"_s);
-    for (const QString& suffix : {u""_s, u"-wal"_s, u"-journal"_s}) {
+    for (const QString& suffix : {u""_s, u"-wal"_s}) {
         if (QFileInfo(m_path + suffix).isFile() && !QFile::copy(m_path + suffix, target + suffix)) {
             return fail(ErrorCode::FileUnreadable,
                         u"%1: %2"_s.arg(m_path, Recording::tr("no room for a copy to repair")));
         }
     }
-    for (const QString& suffix : {u""_s, u"-wal"_s, u"-journal"_s}) {
+    for (const QString& suffix : {u""_s, u"-wal"_s}) {
         QFile::setPermissions(target + suffix, QFile::ReadOwner | QFile::WriteOwner);
     }
     return connectTo(target, true);

@@ -102,6 +102,33 @@ private slots:
         QCOMPARE(box.address(), u"/dev/ttyUSB0"_s);
     }
 
+    void portList_holdsHundreds_andOddNames()
+    {
+        PortBox box;
+        QList<PortInfo> present;
+        for (int i = 0; i < 300; ++i) {
+            present.append({u"/dev/rack%1/tty <b>ü “%2”"_s.arg(i / 2).arg(i / 2),
+                            QString(i % 7 * 40, u'x'),
+                            u"Ä & <i>"_s,
+                            {},
+                            0x1234,
+                            1});
+        }
+        box.setLister([&present] { return present; });
+        QCOMPARE(box.count(), 301);
+        for (int i = 0; i < 300; ++i) {
+            box.setCurrentIndex(i + 1);
+            QCOMPARE(box.address(), present[i].port);
+        }
+        // Two of one name: the one that was chosen is meant.
+        present = {kAdapter, kAdapter};
+        present[1].port = u"/dev/other/ttyUSB0"_s;
+        box.refresh();
+        box.setCurrentIndex(2);
+        QCOMPARE(box.address(), u"/dev/other/ttyUSB0"_s);
+        QVERIFY(box.sizeHint().width() < 600); // however long a name is
+    }
+
     void portList_looksByItself_whileVisible()
     {
         PortBox box;

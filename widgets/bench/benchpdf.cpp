@@ -2,12 +2,12 @@
 #include "widgets/bench/benchpdf.h"
 
 #include "protocol/codec/parametertable.h"
+#include "protocol/savefile.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgRenderer>
 #include <QTextBlock>
 #include <QTextDocument>
@@ -288,7 +288,7 @@ void print(QTextDocument& document, QPdfWriter& pdf, const QSizeF& page)
 
 Result<void> savePdf(const QString& path, const BenchOutcome& outcome, const BenchReport& report)
 {
-    QSaveFile file(path);
+    SaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) {
         return fail(ErrorCode::FileUnwritable, u"%1: %2"_s.arg(path, file.errorString()));
     }

@@ -58,6 +58,9 @@ PortBox::PortBox(QWidget* parent) : QComboBox(parent), m_lister(availablePorts),
 QString PortBox::address() const
 {
     const QString text = currentText();
+    if (currentIndex() >= 0 && itemText(currentIndex()) == text) {
+        return currentData().toString(); // of several that read alike, the one that was chosen
+    }
     const int index = findText(text, Qt::MatchFixedString | Qt::MatchCaseSensitive);
     return index >= 0 ? itemData(index).toString() : text.trimmed();
 }

@@ -3,6 +3,7 @@
 
 #include "protocol/session/controller.h"
 #include "widgets/common/eventlog.h"
+#include "widgets/common/fitting.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/stopbutton.h"
 #include "widgets/common/theme.h"
@@ -97,7 +98,7 @@ JournalDialog::JournalDialog(PanelContext& context, QWidget* parent)
     close->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
-    resize(860, 560);
+    resizeToFit(*this, {860, 560});
     connectContext();
     reload();
     m_search->setFocus(); // a table with the focus would choose its first row

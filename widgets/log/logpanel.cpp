@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/log/logpanel.h"
 
+#include "protocol/savefile.h"
 #include "widgets/common/eventlog.h"
 #include "widgets/common/filedialogs.h"
 #include "widgets/common/theme.h"
@@ -10,7 +11,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QScrollBar>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -70,7 +70,7 @@ void LogPanel::save()
     context().fileDialogs.askSave(
         this, tr("Save the log"), u"trexpanel-log.txt"_s, tr("Text (*.txt)"),
         [this](const QString& path) {
-            QSaveFile file(path);
+            SaveFile file(path);
             const bool saved = file.open(QIODevice::WriteOnly)
                 && file.write(context().log.toText().toUtf8()) >= 0 && file.commit();
             context().log.add(

@@ -6,6 +6,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/common/uisettings.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -13,6 +14,8 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSpinBox>
 
 namespace trex {
@@ -23,6 +26,7 @@ namespace {
 
 constexpr int kMostRamp = 2000; ///< speed steps a second: 64 ms to full speed
 constexpr int kWidth = 440;
+constexpr int kMargins = 24; ///< of the dialog, left and right together
 constexpr int kMostIdleMinutes = 24 * 60;
 
 } // namespace
@@ -44,13 +48,43 @@ SafetyDialog::SafetyDialog(PanelContext& context, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(16);
     layout->addLayout(top);
-    layout->addWidget(makeDisarming());
-    layout->addWidget(makeLimits());
-    layout->addWidget(makeHolding());
+    auto* content = new QWidget;
+    auto* groups = new QVBoxLayout(content);
+    groups->setContentsMargins(0, 0, 0, 0);
+    groups->setSpacing(16);
+    groups->addWidget(makeDisarming());
+    groups->addWidget(makeLimits());
+    groups->addWidget(makeHolding());
+    auto* area = new QScrollArea(this);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(content);
+    layout->addWidget(area, 1);
     layout->addWidget(buttons);
-    // As high as its wrapped texts are at its width; a layout alone would cut them.
-    const int wide = std::max(sizeHint().width(), kWidth);
-    setMinimumSize(wide, layout->totalHeightForWidth(wide));
+    for (auto* box : content->findChildren<QSpinBox*>()) {
+        box->setFocusPolicy(Qt::StrongFocus);
+        box->installEventFilter(this);
+    }
+    // As high as its wrapped texts are at its width (a layout alone would cut them), where the
+    // screen is: else the groups are scrolled, and STOP and Close stay in view.
+    const int wide = std::max(content->sizeHint().width() + kMargins, kWidth);
+    area->setMinimumHeight(groups->totalHeightForWidth(wide - kMargins));
+    const int high = layout->totalHeightForWidth(wide);
+    area->setMinimumHeight(0);
+    const int most = QApplication::primaryScreen()->availableSize().height();
+    setMinimumWidth(wide);
+    resize(wide, std::min(high, most));
+}
+
+/// Scrolling past a number is no change of it.
+bool SafetyDialog::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QDialog::eventFilter(watched, event);
 }
 
 QCheckBox* SafetyDialog::addCheck(QLayout& layout, const Setting<bool>& setting,

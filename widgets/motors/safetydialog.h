@@ -24,6 +24,9 @@ class SafetyDialog : public QDialog {
 public:
     explicit SafetyDialog(PanelContext& context, QWidget* parent = nullptr);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     [[nodiscard]] QWidget* makeDisarming();
     [[nodiscard]] QWidget* makeLimits();

@@ -5,6 +5,7 @@
 #include "protocol/procedures/configtransfer.h"
 #include "protocol/session/controller.h"
 #include "widgets/common/filedialogs.h"
+#include "widgets/common/fitting.h"
 #include "widgets/common/stopbutton.h"
 #include "widgets/common/theme.h"
 
@@ -74,7 +75,7 @@ CompareDialog::CompareDialog(PanelContext& context, QWidget* parent)
     layout->addWidget(m_summary);
     layout->addWidget(m_table, 1);
     layout->addWidget(buttons);
-    resize(780, 480);
+    resizeToFit(*this, {780, 480});
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(copyButton, &QPushButton::clicked, this, &CompareDialog::copy);
     const auto& settings = context.deviceSettings;

@@ -2,6 +2,7 @@
 #include "widgets/parameters/differencesdialog.h"
 
 #include "protocol/session/controller.h"
+#include "widgets/common/fitting.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/stopbutton.h"
 #include "widgets/common/theme.h"
@@ -96,7 +97,7 @@ DifferencesDialog::DifferencesDialog(Controller& controller, const QString& file
     layout->addWidget(m_count);
     layout->addWidget(buttons);
     constexpr int kAround = 48; // margins, and a scroll bar
-    resize(std::clamp(table->header()->length() + kAround, 720, 1100), 440);
+    resizeToFit(*this, {std::clamp(table->header()->length() + kAround, 720, 1100), 440});
     connect(all, &QPushButton::clicked, this, [this] { takeAll(true); });
     connect(none, &QPushButton::clicked, this, [this] { takeAll(false); });
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

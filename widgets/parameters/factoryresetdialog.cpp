@@ -2,6 +2,7 @@
 #include "widgets/parameters/factoryresetdialog.h"
 
 #include "protocol/session/controller.h"
+#include "widgets/common/fitting.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/stopbutton.h"
 #include "widgets/common/theme.h"
@@ -68,7 +69,7 @@ FactoryResetDialog::FactoryResetDialog(Controller& controller, QWidget* parent) 
     layout->addWidget(text, 1);
     layout->addWidget(confirm);
     layout->addWidget(buttons);
-    resize(520, 380);
+    resizeToFit(*this, {520, 380});
     connect(confirm, &QCheckBox::toggled, reset, &QPushButton::setEnabled);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

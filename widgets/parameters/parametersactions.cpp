@@ -2,6 +2,7 @@
 // What the buttons of the parameters panel do, and what stands beside them.
 #include "protocol/codec/replies.h"
 #include "protocol/errortext.h"
+#include "protocol/procedures/writeaudit.h"
 #include "protocol/session/controller.h"
 #include "protocol/storage/linesettingsstore.h"
 #include "widgets/common/eventlog.h"
@@ -190,10 +191,19 @@ bool ParametersPanel::backUp()
     const auto path = backUpNow();
     if (!path) {
         m_mayGoWithoutBackup = true;
-        tell(EventLog::Failure,
-             tr("Nothing is written to the controller, because the present settings could not be "
-                "saved first: %1 Apply once more to write without that copy.")
-                 .arg(errorText(path.error())));
+        // What stops the one most often stops the other: one question for both.
+        WriteAudit* const audit = context().audit;
+        const bool isJournalled = audit == nullptr || audit->journal().ready();
+        if (!isJournalled) {
+            audit->goWithout();
+        }
+        const QString text = isJournalled
+            ? tr("Nothing is written to the controller, because the present settings could not be "
+                 "saved first: %1 Apply once more to write without that copy.")
+            : tr("Nothing is written to the controller, because the present settings could not be "
+                 "saved first, and the journal cannot be written: %1 Apply once more to write "
+                 "without that copy and without the journal.");
+        tell(EventLog::Failure, text.arg(errorText(path.error())));
     }
     return path.has_value();
 }

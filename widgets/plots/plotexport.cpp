@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotexport.h"
 
+#include "protocol/savefile.h"
 #include "protocol/telemetry/streamtable.h"
 #include "widgets/plots/plotstack.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QPainter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 namespace trex {
@@ -19,7 +19,7 @@ constexpr int kSvgResolution = 96; ///< a pixel of the screen is a unit of the p
 
 Result<void> write(const QString& path, const QByteArray& content)
 {
-    QSaveFile file(path);
+    SaveFile file(path);
     const bool isFine = isFileOrNew(path);
     if (!isFine || !file.open(QIODevice::WriteOnly) || file.write(content) != content.size()
         || !file.commit()) {
