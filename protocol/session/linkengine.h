@@ -54,7 +54,11 @@ public:
     /// The reply has had all the time that it should need: waiting longer is mere hope.
     [[nodiscard]] bool isReplyOverdue(Instant now) const { return m_flight && now >= overdueAt(); }
     [[nodiscard]] Instant overdueAt() const; ///< while a reply is due
-    [[nodiscard]] bool isStopQueued() const { return !m_stops.empty() || m_again.at; }
+    /// Or about to be, for the first time again.
+    [[nodiscard]] bool isStopQueued() const
+    {
+        return !m_stops.empty() || (m_again.at && !m_again.isRepeating);
+    }
     [[nodiscard]] bool isClearing() const { return m_guard.isBusy(); }
     [[nodiscard]] Instant lineFreeAt() const { return m_lineFreeAt; }
     [[nodiscard]] LinkState state() const { return m_state; }

@@ -42,12 +42,13 @@ void LinkEngine::queueStopForLoss()
     }
 }
 
-/// Without CRC-7 a damaged byte of a setting may have begun a motor command, with what followed for
-/// its speed. Where the answer is not the one of a setting that was taken, stop is sent: at once,
-/// or as soon as the line is back.
+/// A damaged byte of a setting may have begun a motor command, with what followed for its speed
+/// (and, one time in 128, for its CRC byte). Where the answer is not the one of a setting that was
+/// taken, stop is sent: at once, or as soon as the line is back. With CRC-7 it is so unlikely that
+/// motors which somebody has set going are left alone.
 void LinkEngine::stopAfterWrite()
 {
-    if (m_identify && m_state == LinkState::Connected && !m_settings.hasCrc()) {
+    if (m_identify && m_state == LinkState::Connected && !(m_settings.hasCrc() && m_motionSent)) {
         m_motionSent = true;
         queueStopForLoss();
     }
@@ -85,10 +86,10 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
         || flight.queued.transaction.command.row().needsSerialMode) {
         stopAfterWrite();
     }
-    if (code == ErrorCode::NoReply && !m_settings.hasCrc() && flight.sentBytes.size() > 1
+    if (code == ErrorCode::NoReply && flight.sentBytes.size() > 1
         && flight.queued.role == Role::Normal) {
-        // One bit makes "accelerate motor 1" of the raw channels' query; at another speed of a
-        // controller that has restarted, more do so. One byte alone is no order.
+        // Without CRC-7 one bit makes "accelerate motor 1" of the raw channels' query; at another
+        // speed of a controller that has restarted, more do so. One byte alone is no order.
         m_maybeMisheard = true;
     }
     ++m_failures;

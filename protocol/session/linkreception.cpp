@@ -350,7 +350,8 @@ void LinkEngine::flushed(qsizetype bytes, Instant at)
 {
     m_batch.stats.surplusBytes += static_cast<quint64>(bytes);
     m_needsSync = m_state == LinkState::Connected && m_identify;
-    if (m_again.at) { // the controller did send, and listens when it has done
+    if (m_again.at
+        && !m_again.isRepeating) { // the controller did send, and listens when it has done
         m_again.at = std::min(m_again.latest, at + m_settings.timeOf(2));
     }
     m_noisySince = m_noisySince.value_or(at);

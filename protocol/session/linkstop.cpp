@@ -18,6 +18,7 @@ constexpr auto kReplyMargin = 300us;
 // So long after an error of the line a stop goes out twice.
 constexpr auto kDoubtfulFor = 2s;
 constexpr auto kRepeatAfter = 20ms;
+constexpr auto kRepeatInterval = 1s;
 
 } // namespace
 
@@ -107,8 +108,9 @@ void LinkEngine::overtake(Instant now)
 /// The last packet of a stop is on its way out.
 void LinkEngine::doubtStop()
 {
-    if (!m_again.at && !m_again.isRepeating && m_lineFreeAt - m_again.lastFailure < kDoubtfulFor) {
-        m_again.latest = m_lineFreeAt + kRepeatAfter;
+    const Duration clean = m_lineFreeAt - m_again.lastFailure;
+    if (!m_again.at && clean < (m_again.isRepeating ? kRepeatInterval : kDoubtfulFor)) {
+        m_again.latest = m_lineFreeAt + (m_again.isRepeating ? kRepeatInterval : kRepeatAfter);
         m_again.at = m_again.latest;
     }
 }

@@ -15,7 +15,8 @@ constexpr int kBaud = 115200;
 constexpr auto kEpisode = 1500ms; // longer than any of the passing faults
 constexpr int kMostOfAnEpisode = 60; // transactions
 constexpr auto kHearing = 4ms; // an order on the wire
-constexpr auto kRepetition = 30ms; // until a stop on a doubtful line has been sent once more
+constexpr auto kRepetition =
+    1100ms; // until a stop on a doubtful line has been sent for the last time
 // None that has a say in a motor's speed.
 constexpr std::array kParameters{0x05, 0x06, 0x0B, 0x0C, 0x0D, 0x01};
 
@@ -316,6 +317,7 @@ void FaultCell::order(const Speeds& speeds)
             m_link.ask({.id = ++m_id, .command = command, .priority = Priority::Motor});
         m_counts.hanging += reply ? 0 : 1;
         m_counts.failed += reply && !*reply ? 1 : 0;
+        m_wasLost = m_wasLost && !(reply && *reply); // they go by this order now
     }
     m_link.run(kHearing);
 }
