@@ -879,6 +879,10 @@
         <source>A quarter of an hour to and fro at speed 70. The drift of the running current shows warming, running in and wear; raise the number of rounds for a longer test.</source>
         <translation>Eine Viertelstunde hin und her mit Geschwindigkeit 70. Die Drift des Laufstroms zeigt Erwärmung, Einlaufen und Verschleiß; erhöhen Sie die Zahl der Runden für eine längere Prüfung.</translation>
     </message>
+    <message>
+        <source>the controller did not answer %1 times in a row; it may have been restarted</source>
+        <translation>die Steuerung hat %1-mal hintereinander nicht geantwortet; vielleicht wurde sie neu gestartet</translation>
+    </message>
 </context>
 <context>
     <name>BenchPdf</name>
@@ -4338,6 +4342,22 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
         <source>a recording to open beside the panel</source>
         <translation>eine Aufzeichnung, die neben dem Panel geöffnet wird</translation>
     </message>
+    <message>
+        <source>there is no display</source>
+        <translation>es gibt keine Anzeige</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>trexpanel: no window can be shown: %1. Start it in a graphical session, or with --offscreen, which needs no display.</source>
+        <translation>trexpanel: Es kann kein Fenster gezeigt werden: %1. Starten Sie es in einer grafischen Sitzung, oder mit --offscreen, das keine Anzeige braucht.</translation>
+    </message>
+    <message>
+        <source>trexpanel: no font is installed, so that nothing could be read. Install one (fonts-dejavu-core on Debian), or see to fontconfig&apos;s configuration.</source>
+        <translation>trexpanel: Es ist keine Schrift installiert, sodass nichts zu lesen wäre. Installieren Sie eine (fonts-dejavu-core unter Debian), oder sehen Sie nach der Konfiguration von fontconfig.</translation>
+    </message>
 </context>
 <context>
     <name>Packets</name>
@@ -5382,6 +5402,17 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     <message>
         <source>The disk was too slow: %1 events or packets are missing.</source>
         <translation>Der Datenträger war zu langsam: %1 Ereignisse oder Pakete fehlen.</translation>
+    </message>
+</context>
+<context>
+    <name>Settings</name>
+    <message>
+        <source>The settings file makes no sense (%1). It is kept as %2, and the settings begin anew.</source>
+        <translation>Die Einstellungsdatei ergibt keinen Sinn (%1). Sie ist als %2 aufgehoben, und die Einstellungen beginnen von vorn.</translation>
+    </message>
+    <message>
+        <source>Settings of this session are not kept.</source>
+        <translation>Einstellungen dieser Sitzung werden nicht aufgehoben.</translation>
     </message>
 </context>
 <context>
@@ -9315,6 +9346,10 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <message>
         <source>All parameters were ordered to be reset before the restart; the table shows what the controller holds now. The settings before are saved in %1.</source>
         <translation>Vor dem Neustart wurde befohlen, alle Parameter zurückzusetzen; die Tabelle zeigt, was der Controller jetzt enthält. Die vorherigen Einstellungen sind in %1 gesichert.</translation>
+    </message>
+    <message>
+        <source>Nothing is written to the controller, because the present settings could not be saved first, and the journal cannot be written: %1 Apply once more to write without that copy and without the journal.</source>
+        <translation>Nichts wird in den Controller geschrieben, weil die jetzigen Einstellungen vorher nicht gespeichert werden konnten und das Journal nicht geschrieben werden kann: %1 Nochmals Übernehmen drücken, um ohne diese Kopie und ohne das Journal zu schreiben.</translation>
     </message>
 </context>
 <context>
