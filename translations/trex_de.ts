@@ -881,7 +881,7 @@
     </message>
     <message>
         <source>the controller did not answer %1 times in a row; it may have been restarted</source>
-        <translation>die Steuerung hat %1-mal hintereinander nicht geantwortet; vielleicht wurde sie neu gestartet</translation>
+        <translation>der Controller hat %1-mal hintereinander nicht geantwortet; vielleicht wurde er neu gestartet</translation>
     </message>
 </context>
 <context>
@@ -2753,7 +2753,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     </message>
     <message>
         <source>drop, corrupt, duplicate (chance a byte), delay (ms), garbage (bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s); drop-sent, corrupt-sent, repeat-sent (chance a byte of the host), unplugged (controllers)</source>
-        <translation>drop, corrupt, duplicate (Wahrscheinlichkeit je Byte), delay (ms), garbage (Bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s); drop-sent, corrupt-sent, repeat-sent (Wahrscheinlichkeit je Byte des Rechners), unplugged (Steuerungen)</translation>
+        <translation>drop, corrupt, duplicate (Wahrscheinlichkeit je Byte), delay (ms), garbage (Bytes), silent-after, silent-for, hangup-after, hangup-for, reset-after (s); drop-sent, corrupt-sent, repeat-sent (Wahrscheinlichkeit je Byte des Rechners), unplugged (Controller)</translation>
     </message>
     <message>
         <source>how well the line does, and what would help; reading clears the UART error byte</source>
@@ -3180,7 +3180,7 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     </message>
     <message>
         <source>the controller was restarted</source>
-        <translation>die Steuerung wurde neu gestartet</translation>
+        <translation>der Controller wurde neu gestartet</translation>
     </message>
     <message>
         <source>the screen was locked</source>
@@ -3200,19 +3200,19 @@ Ende: 0 fertig, 1 abgelehnt, 2 Aufruf falsch, 3 keine Antwort, 4 Port, 5 Zurück
     </message>
     <message>
         <source>the controller reports a motor fault</source>
-        <translation>die Steuerung meldet einen Motorfehler</translation>
+        <translation>der Controller meldet einen Motorfehler</translation>
     </message>
     <message>
         <source>the controller reports too much current</source>
-        <translation>die Steuerung meldet zu viel Strom</translation>
+        <translation>der Controller meldet zu viel Strom</translation>
     </message>
     <message>
         <source>the controller reports an error on the line</source>
-        <translation>die Steuerung meldet einen Fehler auf der Leitung</translation>
+        <translation>der Controller meldet einen Fehler auf der Leitung</translation>
     </message>
     <message>
         <source>the controller&apos;s serial timeout has stopped the motors</source>
-        <translation>die serielle Zeitüberwachung der Steuerung hat die Motoren angehalten</translation>
+        <translation>die serielle Zeitüberwachung des Controllers hat die Motoren angehalten</translation>
     </message>
     <message>
         <source>the stall guard has stopped them</source>
@@ -4153,7 +4153,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     </message>
     <message>
         <source>Armed, but the channels control the motors (mode jumper, channel 5): commands will wait in the controller.</source>
-        <translation>Scharf, aber die Kanäle steuern die Motoren (Betriebsart-Brücke, Kanal 5): Befehle warten in der Steuerung.</translation>
+        <translation>Scharf, aber die Kanäle steuern die Motoren (Betriebsart-Brücke, Kanal 5): Befehle warten im Controller.</translation>
     </message>
     <message>
         <source>The channels drive the motors: motor 1 %1, motor 2 %2. They do not hear this program.</source>
@@ -4169,7 +4169,7 @@ Die Schritte stammen von Leuten, die die Anleitung des Herstellers zitieren; das
     </message>
     <message>
         <source>Motors off: the controller heard an error on the line and is set to stop for it. The next order drives again.</source>
-        <translation>Motoren aus: Die Steuerung hörte einen Fehler auf der Leitung und ist so eingestellt, dass sie dann anhält. Der nächste Befehl treibt wieder an.</translation>
+        <translation>Motoren aus: Der Controller hörte einen Fehler auf der Leitung und ist so eingestellt, dass er dann anhält. Der nächste Befehl treibt wieder an.</translation>
     </message>
     <message>
         <source>Motor %1 is held back by its current limit.</source>
@@ -10099,7 +10099,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
     <message>
         <source>Always: a lost link, a restarted controller, disconnecting, quitting, a crash or standstill of this program. Also:</source>
-        <translation>Immer: verlorene Verbindung, Neustart der Steuerung, Trennen, Beenden, Absturz oder Stillstand dieses Programms. Außerdem:</translation>
+        <translation>Immer: verlorene Verbindung, Neustart des Controllers, Trennen, Beenden, Absturz oder Stillstand dieses Programms. Außerdem:</translation>
     </message>
     <message>
         <source>A motor driver&apos;s fault</source>
@@ -10127,7 +10127,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
     <message>
         <source>The controller&apos;s serial timeout</source>
-        <translation>Die serielle Zeitüberwachung der Steuerung</translation>
+        <translation>Die serielle Zeitüberwachung des Controllers</translation>
     </message>
     <message>
         <source>It has stopped the motors by itself; the next order would start them again.</source>
@@ -10211,7 +10211,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
     <message>
         <source>Speed steps a second, for orders that are set at once. Accelerate is the controller&apos;s own. STOP never ramps.</source>
-        <translation>Geschwindigkeitsstufen je Sekunde, für sofort gesetzte Befehle. Beschleunigen ist Sache der Steuerung. STOPP hat nie eine Rampe.</translation>
+        <translation>Geschwindigkeitsstufen je Sekunde, für sofort gesetzte Befehle. Beschleunigen ist Sache des Controllers. STOPP hat nie eine Rampe.</translation>
     </message>
     <message>
         <source>Stall guard, current</source>
@@ -10227,7 +10227,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
     <message>
         <source>As much for as long: all motors are led to zero, then disarmed. In joint mode the controller reports no current, and nothing is guarded.</source>
-        <translation>So viel für so lange: Alle Motoren werden auf null geführt, dann gesichert. Im gemeinsamen Betrieb meldet die Steuerung keinen Strom, und nichts ist geschützt.</translation>
+        <translation>So viel für so lange: Alle Motoren werden auf null geführt, dann gesichert. Im gemeinsamen Betrieb meldet der Controller keinen Strom, und nichts ist geschützt.</translation>
     </message>
     <message>
         <source>Stall guard from</source>
@@ -10266,15 +10266,15 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     <name>trex::SerialTimeoutWatch</name>
     <message>
         <source>The controller&apos;s serial timeout could not be read (%1). Whether the motors would stop if this program died is not known.</source>
-        <translation>Die serielle Zeitüberwachung der Steuerung ließ sich nicht lesen (%1). Ob die Motoren anhielten, wenn dieses Programm ausfiele, ist nicht bekannt.</translation>
+        <translation>Die serielle Zeitüberwachung des Controllers ließ sich nicht lesen (%1). Ob die Motoren anhielten, wenn dieses Programm ausfiele, ist nicht bekannt.</translation>
     </message>
     <message>
         <source>The controller&apos;s serial timeout is off: if this program, its computer or the cable fails, the motors run on.</source>
-        <translation>Die serielle Zeitüberwachung der Steuerung ist aus: Fallen dieses Programm, sein Rechner oder das Kabel aus, laufen die Motoren weiter.</translation>
+        <translation>Die serielle Zeitüberwachung des Controllers ist aus: Fallen dieses Programm, sein Rechner oder das Kabel aus, laufen die Motoren weiter.</translation>
     </message>
     <message>
         <source>The controller&apos;s serial timeout is %1 ms now: the motors stop when nothing is heard from here for so long.</source>
-        <translation>Die serielle Zeitüberwachung der Steuerung ist jetzt %1 ms: Die Motoren halten an, wenn von hier so lange nichts zu hören ist.</translation>
+        <translation>Die serielle Zeitüberwachung des Controllers ist jetzt %1 ms: Die Motoren halten an, wenn von hier so lange nichts zu hören ist.</translation>
     </message>
     <message>
         <source>The serial timeout was not set: %1</source>
@@ -10518,7 +10518,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
     <message>
         <source>Writes the parameter and reads it back. The motors then stop when the controller has heard nothing for so long; while it is armed, this program sees to it that it always hears something.</source>
-        <translation>Schreibt den Parameter und liest ihn zurück. Die Motoren halten dann an, wenn die Steuerung so lange nichts gehört hat; solange scharf geschaltet ist, sorgt dieses Programm dafür, dass sie immer etwas hört.</translation>
+        <translation>Schreibt den Parameter und liest ihn zurück. Die Motoren halten dann an, wenn der Controller so lange nichts gehört hat; solange scharf geschaltet ist, sorgt dieses Programm dafür, dass er immer etwas hört.</translation>
     </message>
     <message>
         <source>Settings can be written in serial mode only (mode jumper off).</source>
@@ -10624,7 +10624,7 @@ Verspätete oder fremde Bytes verworfen: %5</translation>
     </message>
     <message>
         <source>Does the controller stop when it hears nothing?</source>
-        <translation>Hält die Steuerung an, wenn sie nichts hört?</translation>
+        <translation>Hält der Controller an, wenn er nichts hört?</translation>
     </message>
     <message>
         <source>What will happen</source>
