@@ -68,7 +68,8 @@ SafetyDialog::SafetyDialog(PanelContext& context, QWidget* parent)
     }
     // As high as its wrapped texts are at its width (a layout alone would cut them), where the
     // screen is: else the groups are scrolled, and STOP and Close stay in view.
-    const int wide = std::max(content->sizeHint().width() + kMargins, kWidth);
+    const int wide = std::max(
+        {content->sizeHint().width() + kMargins, layout->totalMinimumSize().width(), kWidth});
     const int around = layout->totalSizeHint().height() - area->sizeHint().height();
     const int high =
         std::max(groups->totalHeightForWidth(wide - kMargins), groups->totalSizeHint().height());
