@@ -2,6 +2,7 @@
 #include "app/trexpanel/paneldocks.h"
 
 #include "app/trexpanel/docktitle.h"
+#include "widgets/common/fitting.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -20,13 +21,6 @@ constexpr QSize kUsualSize{1440, 900};
 constexpr QSize kLeastForColumns{1120, 700}; ///< of a screen; what is smaller gets one panel a time
 constexpr int kSideWidth = 320;
 constexpr int kLayoutVersion = 1; ///< a stored layout of another version is not restored
-
-/// The offscreen platform's screen is none that a window would have to fit, unless it was given.
-bool hasScreen()
-{
-    return QGuiApplication::platformName() != "offscreen"_L1
-        || qEnvironmentVariable("QT_QPA_PLATFORM").startsWith("offscreen:"_L1);
-}
 
 bool isScreenSmall()
 {

@@ -77,7 +77,7 @@ QString keepAside(const QString& path)
 /// looked for before it may write.
 bool hasRoom(const QString& path)
 {
-    constexpr qint64 kMore = 64 * 1024; // longer than what a session adds
+    constexpr qint64 kMore = qint64{64} * 1024; // longer than what a session adds
     QTemporaryFile probe(QFileInfo(path).absolutePath() + QStringLiteral("/.room-XXXXXX"));
     const QByteArray zeros(QFileInfo(path).size() + kMore, '\0');
     return probe.open() && probe.write(zeros) == zeros.size() && probe.flush();

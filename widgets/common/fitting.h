@@ -7,6 +7,10 @@ class QWidget;
 
 namespace trex {
 
+/// False on the offscreen platform's screen, which is none that a window would have to fit, unless
+/// it was given (QT_QPA_PLATFORM=offscreen:configfile=FILE).
+[[nodiscard]] bool hasScreen();
+
 /// Gives a window this size, or as much of it as its screen has.
 void resizeToFit(QWidget& window, const QSize& wanted);
 

@@ -2,19 +2,19 @@
 #include "widgets/motors/safetydialog.h"
 
 #include "protocol/codec/quantities.h"
+#include "widgets/common/fitting.h"
 #include "widgets/common/stopbutton.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/uisettings.h"
 
-#include <QApplication>
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QSpinBox>
 
@@ -68,13 +68,13 @@ SafetyDialog::SafetyDialog(PanelContext& context, QWidget* parent)
     }
     // As high as its wrapped texts are at its width (a layout alone would cut them), where the
     // screen is: else the groups are scrolled, and STOP and Close stay in view.
-    const int wide = std::max(content->sizeHint().width() + kMargins, kWidth);
-    area->setMinimumHeight(groups->totalHeightForWidth(wide - kMargins));
-    const int high = layout->totalHeightForWidth(wide);
-    area->setMinimumHeight(0);
-    const int most = QApplication::primaryScreen()->availableSize().height();
+    const int wide = std::max(
+        {content->sizeHint().width() + kMargins, layout->totalMinimumSize().width(), kWidth});
+    const int around = layout->totalSizeHint().height() - area->sizeHint().height();
+    const int high =
+        std::max(groups->totalHeightForWidth(wide - kMargins), groups->totalSizeHint().height());
     setMinimumWidth(wide);
-    resize(wide, std::min(high, most));
+    resizeToFit(*this, {wide, high + around});
 }
 
 /// Scrolling past a number is no change of it.
