@@ -142,7 +142,7 @@ void changeRows(fuzz::Input& input)
         for (int i = 0; i < 6 && !input.isAtEnd(); ++i) {
             const Column& column = kColumns[std::size_t(input.below(int(kColumns.size())))];
             const QStringList names = QString::fromLatin1(column.names).split(u' ');
-            const QString name = names[input.below(int(names.size()))];
+            const QString& name = names[input.below(int(names.size()))];
             // UPDATE OR REPLACE: a row whose key is taken takes its place.
             query.prepare(u"UPDATE OR REPLACE %1 SET %2=? WHERE rowid%3"_s.arg(
                 QLatin1StringView(column.table), name,
