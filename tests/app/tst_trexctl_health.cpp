@@ -72,7 +72,7 @@ void tst_trexctl_health::wellLine_saysSo()
     QVERIFY(latency["longest"_L1].toDouble() >= latency["p99"_L1].toDouble());
     QVERIFY(latency["wireMedian"_L1].toDouble() > 1.0); // two bytes and more at 19200 baud
     int answers = 0;
-    for (const QJsonValue& bin : object["histogram"_L1].toArray()) {
+    for (const QJsonValue bin : object["histogram"_L1].toArray()) {
         answers += bin["answers"_L1].toInt();
     }
     QVERIFY(answers > 50 && answers <= object["answers"_L1].toInt());
@@ -95,7 +95,7 @@ void tst_trexctl_health::noisyLine_advises()
     const Finished done = run(health(simulator, {u"--duration"_s, u"4"_s, u"--json"_s}));
     QVERIFY2(done.code == 0, done.err);
     QStringList keys;
-    for (const QJsonValue& advice : done.object()["advice"_L1].toArray()) {
+    for (const QJsonValue advice : done.object()["advice"_L1].toArray()) {
         keys << advice["key"_L1].toString();
     }
     QVERIFY2(keys.contains(u"damagedWithoutCrc"_s), qPrintable(keys.join(u',')));

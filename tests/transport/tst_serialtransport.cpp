@@ -10,9 +10,10 @@
 #include <QTest>
 
 #include <fcntl.h>
-#include <stdlib.h>
 #include <sys/file.h>
 #include <unistd.h>
+
+#include <cstdlib>
 
 using namespace trex;
 using namespace std::chrono_literals;
