@@ -191,6 +191,7 @@ LinkEngine::Action LinkEngine::decide(Instant now)
         m_stops.pop_front();
         if (m_state == LinkState::Disconnected && m_stops.empty()) { // given up meanwhile
             m_open = false;
+            m_again.at.reset();
             m_guard.clear(m_settings, m_canSetLine);
         }
         return send(queued, now);

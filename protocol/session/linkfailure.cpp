@@ -123,6 +123,9 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
                 m_guard.clear(m_settings, m_canSetLine);
             }
             m_open = m_open && (m_reconnect || !m_stops.empty()); // what is to stop goes out yet
+            if (!m_open) {
+                m_again.at.reset();
+            }
             m_guard.received.clear();
         } else if (m_state == LinkState::Lost) {
             setState(LinkState::Retrying, std::nullopt, now);

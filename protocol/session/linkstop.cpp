@@ -109,7 +109,7 @@ void LinkEngine::overtake(Instant now)
 void LinkEngine::doubtStop()
 {
     const Duration clean = m_lineFreeAt - m_again.lastFailure;
-    if (!m_again.at && clean < (m_again.isRepeating ? kRepeatInterval : kDoubtfulFor)) {
+    if (m_open && !m_again.at && clean < (m_again.isRepeating ? kRepeatInterval : kDoubtfulFor)) {
         m_again.latest = m_lineFreeAt + (m_again.isRepeating ? kRepeatInterval : kRepeatAfter);
         m_again.at = m_again.latest;
     }
