@@ -66,7 +66,9 @@ void tst_trexctl_record::duration_givesFileAndAnswer()
     QVERIFY(!done.err.isEmpty()); // the progress line
     QVERIFY(!QFile::exists(path() + u"-wal"_s));
     const auto rows = exported();
-    QCOMPARE(rows.size() - 1, samples); // one row a sample
+    // One row a sample; more where a busy machine kept two streams more than 100 ms apart.
+    QVERIFY2(rows.size() - 1 >= samples && rows.size() - 1 <= samples + 3,
+             qPrintable(QString::number(rows.size())));
     QVERIFY(rows[0].startsWith("t_s,motor1_raw,motor2_raw,motor1_A,motor2_A,channel1_raw"));
     QVERIFY(rows[0].contains("channel5_us") && rows[0].endsWith("status_raw,uart_errors_raw"));
     for (qsizetype i = 1; i < rows.size(); ++i) {
