@@ -57,8 +57,13 @@ QLatin1StringView keyOf(LinkState state)
     return kKeys.at(static_cast<std::size_t>(state));
 }
 
-LinkEngine::LinkEngine(const LineSettings& settings, bool identify, bool reconnect, bool canSetLine)
-    : m_settings(settings), m_identify(identify), m_reconnect(reconnect), m_canSetLine(canSetLine)
+LinkEngine::LinkEngine(const LineSettings& settings, bool identify, bool reconnect, bool canSetLine,
+                       bool stopsInDoubt)
+    : m_settings(settings)
+    , m_identify(identify)
+    , m_reconnect(reconnect)
+    , m_canSetLine(canSetLine)
+    , m_stopsInDoubt(stopsInDoubt)
 {
     m_plan.setLine(settings);
 }

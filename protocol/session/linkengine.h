@@ -34,7 +34,9 @@ public:
 
     /// `identify`: believe in a controller only after its signature. `reconnect`: keep asking after
     /// a loss; else the state ends as Disconnected. `canSetLine`: Action::line can be done.
-    LinkEngine(const LineSettings& settings, bool identify, bool reconnect, bool canSetLine = true);
+    /// `stopsInDoubt`: stop follows a question that may have been heard as an order.
+    LinkEngine(const LineSettings& settings, bool identify, bool reconnect, bool canSetLine = true,
+               bool stopsInDoubt = true);
 
     void opened(Instant now, const AdapterFacts& adapter = {});
     /// The port is gone: whatever waited has failed; the driver opens it again.
@@ -80,7 +82,6 @@ private:
     [[nodiscard]] std::optional<Queued> chooseIdentify(Instant now);
     [[nodiscard]] QByteArray probeBytes(Instant now);
     [[nodiscard]] std::optional<Instant> nextWake() const;
-    // receiving
     void deliver(QByteArrayView bytes, Instant at);
     void deliverRaw(Instant at);
     void deliverIdentify(Instant at);
@@ -99,7 +100,6 @@ private:
     void flushed(qsizetype bytes, Instant at);
     [[nodiscard]] Duration quietGap() const;
     void noteLateness();
-    // state
     void setState(LinkState state, const std::optional<Error>& error, Instant now);
     void loseLink(const Error& error, Instant now);
     void queueStopForLoss();
@@ -115,6 +115,7 @@ private:
     bool m_identify;
     bool m_reconnect;
     bool m_canSetLine;
+    bool m_stopsInDoubt;
     bool m_shutDown = false;
     LinkState m_state = LinkState::Disconnected;
     std::deque<Queued> m_stops;

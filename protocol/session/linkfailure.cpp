@@ -86,7 +86,7 @@ void LinkEngine::failFlight(ErrorCode code, Instant now)
         || flight.queued.transaction.command.row().needsSerialMode) {
         stopAfterWrite();
     }
-    if (code == ErrorCode::NoReply && flight.sentBytes.size() > 1
+    if (m_stopsInDoubt && code == ErrorCode::NoReply && flight.sentBytes.size() > 1
         && flight.queued.role == Role::Normal) {
         // Without CRC-7 one bit makes "accelerate motor 1" of the raw channels' query; at another
         // speed of a controller that has restarted, more do so. One byte alone is no order.

@@ -65,7 +65,7 @@ void LinkWorker::open(const OpenOptions& options, quint32 generation)
         m_transport = std::move(*made);
     }
     m_engine = std::make_unique<LinkEngine>(options.line, options.identify, m_reconnect,
-                                            made && m_transport->canSetLine());
+                                            made && m_transport->canSetLine(), options.stopOnClose);
     if (!made) {
         m_transport.reset();
         m_engine->lineFailed(made.error(), clockNow());

@@ -28,9 +28,9 @@ std::vector<Transaction> stopPackets()
 }
 
 /// Connected; from then on nobody answers.
-VirtualLine silentLine()
+VirtualLine silentLine(bool stopsInDoubt = true)
 {
-    VirtualLine line;
+    VirtualLine line({}, true, true, stopsInDoubt);
     line.peer = [](const QByteArray& packet) {
         return packet == QByteArray::fromHex("81") ? QByteArray("TReXJr1.2") : QByteArray("r");
     };
@@ -189,6 +189,23 @@ private slots:
         line.engine.stop(stopPackets(), line.now);
         line.run(300ms);
         QCOMPARE(line.sentPackets().mid(0, 4), kStop + kStop);
+    }
+
+    /// A program that only looks leaves motors as another one has told them.
+    void questionThatMayHaveBeenAnOrder_isFollowedByStopWhereMotorsAreInOurCare()
+    {
+        for (const bool isInOurCare : {true, false}) {
+            VirtualLine line = silentLine(isInOurCare);
+            line.engine.submit({.id = 1, .command = channelsQuery("get-raw-channels", 0x1F)});
+            line.run(120ms); // once without an answer
+            line.peer = [](const QByteArray& packet) {
+                return packet.startsWith('\x86') ? QByteArray::fromHex("a60ea60ea60ea60ea60e")
+                                                 : QByteArray("r");
+            };
+            line.run(500ms);
+            QVERIFY(!line.outcomes.empty() && line.outcomes.front().reply);
+            QCOMPARE(line.sentPackets().count(kStop.front()) > 0, isInOurCare);
+        }
     }
 
     void orderAfterStop_isNotStoppedByTheRepetition()

@@ -19,8 +19,8 @@ public:
     };
 
     explicit VirtualLine(const LineSettings& settings = {}, bool identify = true,
-                         bool reconnect = true)
-        : engine(settings, identify, reconnect), line(settings)
+                         bool reconnect = true, bool stopsInDoubt = true)
+        : engine(settings, identify, reconnect, true, stopsInDoubt), line(settings)
     {
     }
 
