@@ -104,9 +104,7 @@ void LinkWorker::closeTransport()
 void LinkWorker::onReceived(const QByteArray& bytes, Instant at)
 {
     if (m_engine && m_isOpen && m_flood.isTooMuch(bytes.size(), at)) {
-        onFailed({ErrorCode::Garbage, m_address});
-        // Not from within the transport's own signal.
-        QMetaObject::invokeMethod(m_transport.get(), &Transport::close, Qt::QueuedConnection);
+        cutOff();
     } else if (m_engine && m_isOpen) {
         m_engine->received(bytes, at);
         schedulePump();

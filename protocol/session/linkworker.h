@@ -63,6 +63,8 @@ private:
     void refuse(const Transaction& transaction);
     void followState();
     void withdrawLastStop();
+    [[nodiscard]] QByteArray stopBytes() const;
+    void cutOff();
 
     std::unique_ptr<Transport> m_transport;
     QString m_address;

@@ -54,13 +54,29 @@ void LinkWorker::followState()
         setArmed(false);
     }
     if (isConnected && m_isOpen && m_stopOnClose && !m_hasLastStop) {
-        QByteArray bytes;
-        for (const Command& command : stopCommands(false)) {
-            bytes += encode(command, m_line);
-        }
-        laststop::prepare(this, m_transport->descriptor(), bytes);
+        laststop::prepare(this, m_transport->descriptor(), stopBytes());
         m_hasLastStop = true;
     }
+}
+
+QByteArray LinkWorker::stopBytes() const
+{
+    QByteArray bytes;
+    for (const Command& command : stopCommands(false)) {
+        bytes += encode(command, m_line);
+    }
+    return bytes;
+}
+
+/// A line that pours is closed. It may still carry what we send: the motors are stopped before.
+void LinkWorker::cutOff()
+{
+    if (m_hasLastStop) {
+        m_transport->write(stopBytes());
+    }
+    onFailed({ErrorCode::Garbage, m_address});
+    // Not from within the transport's own signal.
+    QMetaObject::invokeMethod(m_transport.get(), &Transport::close, Qt::QueuedConnection);
 }
 
 void LinkWorker::withdrawLastStop()

@@ -66,6 +66,7 @@ void TestPeerFaults::peer_failsWhileMotorsRun_data()
     QTest::newRow("closed") << static_cast<int>(Way::Finish);
     QTest::newRow("silent") << static_cast<int>(Way::Silent);
     QTest::newRow("rubbish") << static_cast<int>(Way::Rubbish);
+    QTest::newRow("rubbish once") << static_cast<int>(Way::RubbishOnce);
 }
 
 void TestPeerFaults::peer_failsWhileMotorsRun()
@@ -127,6 +128,12 @@ void TestPeerFaults::peer_failsWhileMotorsRun()
     QVERIFY(later >= stops.size());
     // Motors' orders between the fault and the return: none but stop, where anything passed.
     QVERIFY(record.lastMovedMs < returned);
+    const auto isEarlyStop = [&](const auto& packet) {
+        return packet.epochMs < returned && packet.bytes == encode(stops.front(), options.line);
+    };
+    if (static_cast<Way>(way) == Way::RubbishOnce) { // it still hears us: stopped before it is left
+        QVERIFY(std::any_of(record.motorPackets.begin(), record.motorPackets.end(), isEarlyStop));
+    }
 }
 
 /// A byte in 200 ms: answers of one byte come in time, longer ones never do. The connection stands,

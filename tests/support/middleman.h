@@ -25,6 +25,7 @@ public:
         Silent, ///< the connection stays, nothing passes in either direction
         Slow, ///< one byte of the answers every 200 ms
         Rubbish, ///< what comes back is noise, as fast as it is taken
+        RubbishOnce, ///< the same, and no other connection is accepted
     };
 
     explicit Middleman(quint16 behind) : m_behind(behind)
@@ -87,7 +88,7 @@ private:
             }
         });
         QObject::connect(m_client, &QTcpSocket::bytesWritten, m_server, [this](qint64 count) {
-            m_poured += m_way == Way::Rubbish ? count : 0;
+            m_poured += isPouring() ? count : 0;
             pour();
         });
         pour();
@@ -100,17 +101,23 @@ private:
         if (way == Way::Reset || way == Way::Finish) {
             m_server->close();
             drop();
+        } else if (way == Way::RubbishOnce) {
+            m_server->close();
         } else if (!m_server->isListening()) {
             m_server->listen(QHostAddress::LocalHost, m_port);
         }
         pour();
     }
 
+    [[nodiscard]] bool isPouring() const
+    {
+        return m_way == Way::Rubbish || m_way == Way::RubbishOnce;
+    }
+
     void pour()
     {
         static const QByteArray kNoise(64 * 1024, '\xA5');
-        const bool isWanted = m_way == Way::Rubbish && m_client != nullptr;
-        if (isWanted && m_client->bytesToWrite() < kNoise.size()) {
+        if (isPouring() && m_client != nullptr && m_client->bytesToWrite() < kNoise.size()) {
             m_client->write(kNoise);
         }
     }
