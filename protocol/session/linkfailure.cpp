@@ -45,10 +45,11 @@ void LinkEngine::queueStopForLoss()
 /// A damaged byte of a setting may have begun a motor command, with what followed for its speed
 /// (and, one time in 128, for its CRC byte). Where the answer is not the one of a setting that was
 /// taken, stop is sent: at once, or as soon as the line is back. With CRC-7 it is so unlikely that
-/// motors which somebody has set going are left alone.
+/// motors which somebody has set going are left alone, here or by another program.
 void LinkEngine::stopAfterWrite()
 {
-    if (m_identify && m_state == LinkState::Connected && !(m_settings.hasCrc() && m_motionSent)) {
+    const bool isUnlikely = m_settings.hasCrc() && (m_motionSent || !m_stopsInDoubt);
+    if (m_identify && m_state == LinkState::Connected && !isUnlikely) {
         m_motionSent = true;
         queueStopForLoss();
     }
