@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the line's law says about stop: past a reply that is overdue, once more in doubt, and what a
 // controller makes of stop packets of which it hears only a part.
+#include "protocol/codec/crc7.h"
 #include "protocol/codec/packet.h"
 #include "protocol/sim/packetreader.h"
 #include "tests/support/virtualline.h"
@@ -16,16 +17,6 @@ using namespace std::chrono_literals;
 namespace {
 
 const QByteArrayList kStop{QByteArray::fromHex("da0000"), QByteArray::fromHex("f000")};
-
-std::vector<Transaction> stopPackets()
-{
-    std::vector<Transaction> packets;
-    for (const Command& command : stopCommands(false)) {
-        packets.push_back(
-            {.id = 1000 + packets.size(), .command = command, .priority = Priority::Stop});
-    }
-    return packets;
-}
 
 /// Connected; from then on nobody answers.
 VirtualLine silentLine(bool stopsInDoubt = true)
@@ -205,6 +196,29 @@ private slots:
             line.run(500ms);
             QVERIFY(!line.outcomes.empty() && line.outcomes.front().reply);
             QCOMPARE(line.sentPackets().count(kStop.front()) > 0, isInOurCare);
+        }
+    }
+
+    void doubtfulWriteWithCrc_isFollowedByStopWhereMotorsAreInOurCare()
+    {
+        for (const bool isInOurCare : {true, false}) {
+            const LineSettings settings{.errorDetection = ErrorDetection::Crc7};
+            VirtualLine line(settings, true, true, isInOurCare);
+            const auto closed = [&](const QByteArray& reply) {
+                return reply + char(crc7(reply, settings.polynomial));
+            };
+            line.peer = [&](const QByteArray& packet) {
+                return packet.startsWith('\x81') ? closed("TReXJr1.2") : closed("r");
+            };
+            line.open();
+            line.run(400ms);
+            QCOMPARE(line.engine.state(), LinkState::Connected);
+            line.sent.clear();
+            line.peer = [](const QByteArray&) { return QByteArray(); };
+            line.engine.submit({.id = 1, .command = writeParameter(0x13, 1)});
+            line.run(400ms); // without an answer
+            const QByteArray stop = encode(stopCommands(false).front(), settings);
+            QCOMPARE(line.sentPackets().contains(stop), isInOurCare);
         }
     }
 

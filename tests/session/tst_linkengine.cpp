@@ -51,16 +51,6 @@ Transaction motor(quint64 id, const Command& command)
     return {.id = id, .command = command, .priority = Priority::Motor};
 }
 
-std::vector<Transaction> stopPackets()
-{
-    std::vector<Transaction> packets;
-    for (const Command& command : stopCommands(false)) {
-        packets.push_back(
-            {.id = 1000 + packets.size(), .command = command, .priority = Priority::Stop});
-    }
-    return packets;
-}
-
 QByteArray withCrc(const QByteArray& reply, bool hasCrc)
 {
     return hasCrc && !reply.isEmpty() ? reply + char(crc7(reply, kDefaultPolynomial)) : reply;

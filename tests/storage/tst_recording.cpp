@@ -7,14 +7,11 @@
 #include "protocol/storage/recordingreader.h"
 #include "protocol/storage/recordingwriter.h"
 #include "protocol/storage/sampletap.h"
+#include "tests/support/spoiltfiles.h"
 
 #include <QDir>
 #include <QElapsedTimer>
-#include <QFile>
 #include <QProcess>
-#include <QSqlDatabase>
-#include <QSqlError>
-#include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -22,6 +19,7 @@
 
 using namespace Qt::Literals::StringLiterals;
 using namespace trex;
+using namespace trex::test;
 using namespace std::chrono_literals;
 
 namespace {
@@ -106,34 +104,6 @@ void compareStores(const TelemetryStore& actual, const TelemetryStore& expected)
             QCOMPARE(a.isValid(k), e.isValid(k));
         }
     }
-}
-
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void put(const QString& path, const QByteArray& bytes)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
-    QCOMPARE(file.write(bytes), bytes.size());
-}
-
-/// Runs statements on a file, as somebody with ill will would.
-void tamper(const QString& path, const QStringList& statements)
-{
-    {
-        QSqlDatabase database = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"tamper"_s);
-        database.setDatabaseName(path);
-        QVERIFY(database.open());
-        QSqlQuery query(database);
-        for (const QString& statement : statements) {
-            QVERIFY2(query.exec(statement), qPrintable(query.lastError().text()));
-        }
-    }
-    QSqlDatabase::removeDatabase(u"tamper"_s);
 }
 
 /// A window's way through it: loaded, scrubbed, stepped, played.

@@ -11,51 +11,22 @@
 #include "protocol/storage/recordingreader.h"
 #include "protocol/storage/recordingwriter.h"
 #include "protocol/storage/sampletap.h"
+#include "tests/support/spoiltfiles.h"
 
-#include <QFile>
 #include <QRegularExpression>
-#include <QSqlDatabase>
-#include <QSqlError>
-#include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QtEndian>
 
 using namespace Qt::Literals::StringLiterals;
 using namespace trex;
+using namespace trex::test;
 using namespace std::chrono_literals;
 
 namespace {
 
 constexpr Instant kStart(1000s);
 const QString kScript = u"<script>alert('x')</script>\" onload=\"x"_s;
-
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void put(const QString& path, const QByteArray& bytes)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
-    QCOMPARE(file.write(bytes), bytes.size());
-}
-
-void tamper(const QString& path, const QStringList& statements)
-{
-    {
-        QSqlDatabase database = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"tamper"_s);
-        database.setDatabaseName(path);
-        QVERIFY(database.open());
-        QSqlQuery query(database);
-        for (const QString& statement : statements) {
-            QVERIFY2(query.exec(statement), qPrintable(query.lastError().text()));
-        }
-    }
-    QSqlDatabase::removeDatabase(u"tamper"_s);
-}
 
 void record(const QString& path)
 {

@@ -109,4 +109,15 @@ private:
     }
 };
 
+/// What the façade sends to stop, with numbers from 1000.
+inline std::vector<Transaction> stopPackets()
+{
+    std::vector<Transaction> packets;
+    for (const Command& command : stopCommands(false)) {
+        packets.push_back(
+            {.id = 1000 + packets.size(), .command = command, .priority = Priority::Stop});
+    }
+    return packets;
+}
+
 } // namespace trex::test
